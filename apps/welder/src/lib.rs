@@ -1,0 +1,1 @@
+//! Simulates conduction-mode laser welding with smoothed particle hydrodynamics.

@@ -1,0 +1,1 @@
+//! Laws of a weakly compressible melt: equation of state and sound speed.

@@ -1,0 +1,1 @@
+//! Laws of a thermoelastic solid: isotropic moduli and wave speeds.

@@ -1,0 +1,1 @@
+//! Tests of physics across crates; see the `tests` folder of this package.
