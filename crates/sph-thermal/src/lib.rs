@@ -1,1 +1,8 @@
-//! Heat conduction with SPH: conservative pair weights, enthalpy curve, phase change, surface losses.
+#![doc = include_str!("../README.md")]
+
+pub mod boundary;
+pub mod conduction;
+mod error;
+pub mod phase;
+
+pub use error::Error;

@@ -1,0 +1,74 @@
+//! Convection and radiation from a free face.
+
+use crate::error::Error;
+
+/// Stefan-Boltzmann constant \[W/(m² K⁴)\] (CODATA 2018).
+pub const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
+
+/// Heat that a face loses to its surroundings: q = h (T - T_a) + epsilon sigma (T⁴ - T_a⁴).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfaceLoss {
+    convection: f64,
+    radiation: f64,
+    ambient: f64,
+}
+
+impl SurfaceLoss {
+    /// Losses by a heat transfer coefficient \[W/(m² K)\] and an emissivity (0 to 1) to an ambient temperature \[K\].
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a negative coefficient, an emissivity outside 0 to 1, or an ambient that is not positive.
+    pub fn new(convection: f64, emissivity: f64, ambient: f64) -> Result<Self, Error> {
+        let checks = [
+            ("convection", convection, convection >= 0.0 && convection.is_finite(), "a number, 0 or above"),
+            ("emissivity", emissivity, (0.0..=1.0).contains(&emissivity), "a number from 0 to 1"),
+            ("ambient", ambient, ambient > 0.0 && ambient.is_finite(), "a temperature above 0 K"),
+        ];
+        match checks.iter().find(|check| !check.2) {
+            Some(&(field, found, _, accepted)) => Err(Error::OutOfRange { field, found, accepted }),
+            None => Ok(Self { convection, radiation: emissivity * STEFAN_BOLTZMANN, ambient }),
+        }
+    }
+
+    /// Heat lost per area \[W/m²\] at a surface temperature \[K\].
+    #[inline]
+    pub fn flux(&self, temperature: f64) -> f64 {
+        let fourth = |t: f64| (t * t) * (t * t);
+        self.convection * (temperature - self.ambient)
+            + self.radiation * (fourth(temperature) - fourth(self.ambient))
+    }
+
+    /// d(flux)/dT \[W/(m² K)\] at a surface temperature \[K\]: what bounds an explicit step.
+    #[inline]
+    pub fn slope(&self, temperature: f64) -> f64 {
+        self.convection + 4.0 * self.radiation * temperature.powi(3)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_black_body_at_1000_kelvin() {
+        let loss = SurfaceLoss::new(0.0, 1.0, 300.0).unwrap();
+        assert!((loss.flux(1000.0) - 5.670_374_419e-8 * (1e12 - 8.1e9)).abs() < 1e-6);
+        assert!(SurfaceLoss::new(-1.0, 0.5, 300.0).is_err());
+        assert!(SurfaceLoss::new(1.0, 1.5, 300.0).unwrap_err().to_string().contains("emissivity"));
+        assert!(SurfaceLoss::new(1.0, 0.5, 0.0).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn slope_is_the_derivative_and_equilibrium_loses_nothing(
+            h in 0.0..1e4f64, e in 0.0..1.0f64, ambient in 200.0..500.0f64, t in 250.0..3000.0f64,
+        ) {
+            let loss = SurfaceLoss::new(h, e, ambient).unwrap();
+            prop_assert!(loss.flux(ambient).abs() < 1e-9);
+            let step = 1e-3;
+            let numeric = (loss.flux(t + step) - loss.flux(t - step)) / (2.0 * step);
+            prop_assert!((loss.slope(t) - numeric).abs() <= 1e-5 * loss.slope(t) + 1e-6);
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! What happens to heat at a free face.
+
+mod losses;
+mod surface;
+
+pub use losses::{STEFAN_BOLTZMANN, SurfaceLoss};
+pub use surface::surface_potential;

@@ -1,0 +1,159 @@
+//! The rows of particles at rest, stored for speed.
+//!
+//! Eight consecutive rows form a chunk. Particles on a lattice that are sorted along x see the same pattern of
+//! neighbours: then a chunk stores one shift a neighbour instead of eight indices, its potentials are read as one
+//! contiguous run, and the compiler makes plain vector code of it. Chunks without such a pattern (jumps of spacing,
+//! disorder) store indices. Sums run in a fixed order, so results do not depend on the number of threads.
+
+use super::ConductionRows;
+
+/// Rows to a chunk.
+pub const LANES: usize = 8;
+
+/// A pattern may cost this much more slots than the longest row of its chunk before indices are cheaper.
+const PATTERN_OVERHEAD: f64 = 1.6;
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Chunk {
+    /// First slot in `weights`.
+    slots: usize,
+    /// First entry in `shifts` (pattern) or in `columns` (indices).
+    places: usize,
+    length: usize,
+    pattern: bool,
+}
+
+/// Conduction rows in chunks of [`LANES`]; see the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConductionMatrix {
+    particles: usize,
+    chunks: Vec<Chunk>,
+    weights: Vec<[f64; LANES]>,
+    shifts: Vec<i32>,
+    columns: Vec<[u32; LANES]>,
+    pairs: usize,
+}
+
+impl ConductionMatrix {
+    /// Stores `rows`.
+    pub fn new(rows: &ConductionRows) -> Self {
+        let particles = rows.particles();
+        let mut matrix = Self {
+            particles,
+            chunks: Vec::with_capacity(particles.div_ceil(LANES)),
+            weights: Vec::new(),
+            shifts: Vec::new(),
+            columns: Vec::new(),
+            pairs: rows.pairs(),
+        };
+        let mut pattern = Vec::new();
+        for first in (0..particles).step_by(LANES) {
+            matrix.push_chunk(rows, first, &mut pattern);
+        }
+        matrix
+    }
+
+    /// Number of particles.
+    pub fn particles(&self) -> usize {
+        self.particles
+    }
+
+    /// Directed pairs that one product visits.
+    pub fn pairs(&self) -> usize {
+        self.pairs
+    }
+
+    /// Length that a column of potentials must have: the particles, rounded up to whole chunks.
+    pub fn padded_len(&self) -> usize {
+        self.chunks.len() * LANES
+    }
+
+    /// Number of chunks.
+    pub fn chunks(&self) -> usize {
+        self.chunks.len()
+    }
+
+    /// Share of chunks that are stored as a pattern.
+    pub fn pattern_share(&self) -> f64 {
+        let patterns = self.chunks.iter().filter(|chunk| chunk.pattern).count();
+        patterns as f64 / self.chunks.len().max(1) as f64
+    }
+
+    /// Heat \[W\] that the rows of one chunk receive at potentials `theta` (\[W/m\], [`padded_len`](Self::padded_len) long).
+    #[inline]
+    pub fn chunk_heat(&self, chunk: usize, theta: &[f64]) -> [f64; LANES] {
+        let own: &[f64; LANES] = lanes(theta, chunk * LANES);
+        let Chunk { slots, places, length, pattern } = self.chunks[chunk];
+        let weights = &self.weights[slots..slots + length];
+        let mut sum = [0.0; LANES];
+        if pattern {
+            let base = (chunk * LANES) as i32;
+            for (weight, shift) in weights.iter().zip(&self.shifts[places..places + length]) {
+                let other: &[f64; LANES] = lanes(theta, (base + shift) as usize);
+                for lane in 0..LANES {
+                    sum[lane] += weight[lane] * (other[lane] - own[lane]);
+                }
+            }
+        } else {
+            for (weight, column) in weights.iter().zip(&self.columns[places..places + length]) {
+                for lane in 0..LANES {
+                    sum[lane] += weight[lane] * (theta[column[lane] as usize] - own[lane]);
+                }
+            }
+        }
+        sum
+    }
+
+    fn push_chunk(&mut self, rows: &ConductionRows, first: usize, pattern: &mut Vec<i32>) {
+        let last = (first + LANES).min(self.particles);
+        let longest = (first..last).map(|i| rows.row(i).0.len()).max().unwrap_or(0);
+        collect_pattern(rows, first..last, pattern);
+        let padded = self.particles.div_ceil(LANES) * LANES;
+        let inside = pattern.iter().all(|&shift| {
+            let start = first as i64 + i64::from(shift);
+            start >= 0 && start as usize + LANES <= padded
+        });
+        let slots = self.weights.len();
+        if inside && pattern.len() as f64 <= PATTERN_OVERHEAD * longest as f64 {
+            let places = self.shifts.len();
+            self.shifts.extend_from_slice(pattern);
+            self.weights.resize(slots + pattern.len(), [0.0; LANES]);
+            for i in first..last {
+                let (neighbors, weights) = rows.row(i);
+                for (&j, &weight) in neighbors.iter().zip(weights) {
+                    let slot =
+                        pattern.binary_search(&(j as i32 - i as i32)).expect("every shift is in the pattern");
+                    self.weights[slots + slot][i - first] = weight;
+                }
+            }
+            self.chunks.push(Chunk { slots, places, length: pattern.len(), pattern: true });
+        } else {
+            let places = self.columns.len();
+            self.weights.resize(slots + longest, [0.0; LANES]);
+            self.columns.resize(places + longest, [first as u32; LANES]);
+            for i in first..last {
+                let (neighbors, weights) = rows.row(i);
+                for (slot, (&j, &weight)) in neighbors.iter().zip(weights).enumerate() {
+                    self.weights[slots + slot][i - first] = weight;
+                    self.columns[places + slot][i - first] = j;
+                }
+            }
+            self.chunks.push(Chunk { slots, places, length: longest, pattern: false });
+        }
+    }
+}
+
+#[inline]
+fn lanes(column: &[f64], start: usize) -> &[f64; LANES] {
+    column[start..start + LANES].try_into().expect("a slice of LANES entries")
+}
+
+/// All distinct j - i of some rows, rising.
+fn collect_pattern(rows: &ConductionRows, range: std::ops::Range<usize>, pattern: &mut Vec<i32>) {
+    pattern.clear();
+    for i in range {
+        pattern.extend(rows.row(i).0.iter().map(|&j| j as i32 - i as i32));
+    }
+    pattern.sort_unstable();
+    pattern.dedup();
+}
