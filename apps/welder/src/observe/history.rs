@@ -1,0 +1,237 @@
+//! `history.csv`: the measures of a run over time, one row an interval.
+
+use super::{ObserveError, Observer, Schedule, View};
+use serde::{Deserialize, Serialize};
+use std::fs::{self, File, OpenOptions};
+use std::io::{Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+
+/// One row of the history; its fields are the columns of the table.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct HistoryRow {
+    /// Physical time.
+    pub time_s: f64,
+    /// Steps taken.
+    pub step: u64,
+    /// Length of the last step.
+    pub dt_s: f64,
+    /// The limit that ruled the last step.
+    pub dt_limit: String,
+    /// Highest temperature of any particle.
+    pub peak_temperature_k: f64,
+    /// Width of the pool at the liquidus.
+    pub pool_width_m: f64,
+    /// Length of the pool at the liquidus.
+    pub pool_length_m: f64,
+    /// Depth of the pool at the liquidus.
+    pub pool_depth_m: f64,
+    /// Volume of the melt.
+    pub melt_volume_m3: f64,
+    /// Highest speed of any particle.
+    pub max_speed_m_s: f64,
+    /// Energy received since the start.
+    pub energy_in_j: f64,
+    /// Energy stored since the start.
+    pub energy_stored_j: f64,
+    /// Energy lost since the start.
+    pub energy_lost_j: f64,
+    /// What the ledger cannot account for, relative to the energy received.
+    pub energy_residual_rel: f64,
+}
+
+/// Writes the history as the run goes; each row is in the file before the run goes on.
+///
+/// In a resumed run (its first view has a step above zero) the rows that the unbroken run would not have at that
+/// moment are cut off first: those after the checkpoint, and the closing row of the interrupted run.
+pub struct HistoryWriter {
+    path: PathBuf,
+    schedule: Schedule,
+    table: Option<csv::Writer<File>>,
+    written_s: Option<f64>,
+}
+
+impl HistoryWriter {
+    /// A history at `path` with a row each `interval_s`, one at the start and one at the end.
+    pub fn new(path: impl Into<PathBuf>, interval_s: f64) -> Self {
+        HistoryWriter { path: path.into(), schedule: Schedule::new(interval_s), table: None, written_s: None }
+    }
+
+    fn open(&mut self, resumed_at_s: Option<f64>) -> Result<(), ObserveError> {
+        let mut kept_bytes = 0;
+        if let Some(time_s) = resumed_at_s.filter(|_| self.path.exists()) {
+            let text = fs::read(&self.path).map_err(ObserveError::file("read", &self.path))?;
+            (kept_bytes, self.written_s) = kept_rows(&text, &self.schedule, time_s);
+        }
+        let file = OpenOptions::new()
+            .create(true)
+            .write(true)
+            .truncate(false)
+            .open(&self.path)
+            .and_then(|mut file| {
+                file.set_len(kept_bytes).and_then(|()| file.seek(SeekFrom::End(0))).map(|_| file)
+            })
+            .map_err(ObserveError::file("open", &self.path))?;
+        let table = csv::WriterBuilder::new().has_headers(kept_bytes == 0).from_writer(file);
+        self.table = Some(table);
+        Ok(())
+    }
+
+    fn write(&mut self, row: &HistoryRow) -> Result<(), ObserveError> {
+        self.schedule.advance_past(row.time_s);
+        if self.written_s == Some(row.time_s) {
+            return Ok(());
+        }
+        let Some(table) = &mut self.table else { return Ok(()) };
+        table.serialize(row).map_err(|source| ObserveError::Table { path: self.path.clone(), source })?;
+        table.flush().map_err(ObserveError::file("write", &self.path))?;
+        self.written_s = Some(row.time_s);
+        Ok(())
+    }
+}
+
+impl<const D: usize> Observer<D> for HistoryWriter {
+    fn next_time_s(&self) -> Option<f64> {
+        self.schedule.next_time_s()
+    }
+
+    fn init(&mut self, view: &View<D>) -> Result<(), ObserveError> {
+        self.open((view.step > 0).then_some(view.time_s))?;
+        if self.schedule.contains(view.time_s) {
+            return self.write(&view.history);
+        }
+        self.schedule.advance_past(view.time_s);
+        Ok(())
+    }
+
+    fn every(&mut self, view: &View<D>) -> Result<(), ObserveError> {
+        if self.schedule.is_due(view.time_s) { self.write(&view.history) } else { Ok(()) }
+    }
+
+    fn finish(&mut self, view: &View<D>) -> Result<(), ObserveError> {
+        self.write(&view.history)
+    }
+}
+
+/// Reads a history back.
+pub fn read_history(path: &Path) -> Result<Vec<HistoryRow>, ObserveError> {
+    let table_error = |source| ObserveError::Table { path: path.to_path_buf(), source };
+    let mut reader = csv::Reader::from_path(path).map_err(table_error)?;
+    reader.deserialize().collect::<Result<_, _>>().map_err(table_error)
+}
+
+/// How many bytes of a table the unbroken run would have at `time_s`, and the time of the last row among them.
+fn kept_rows(text: &[u8], schedule: &Schedule, time_s: f64) -> (u64, Option<f64>) {
+    // A row without its line end was cut off when the program died: its last number may be short.
+    let whole = &text[..text.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1)];
+    let mut reader = csv::Reader::from_reader(whole);
+    let (mut kept_bytes, mut last_s) = (0, None);
+    let mut rows = reader.deserialize::<HistoryRow>();
+    while let Some(Ok(row)) = rows.next() {
+        if row.time_s > time_s || !schedule.contains(row.time_s) {
+            break;
+        }
+        kept_bytes = rows.reader().position().byte();
+        last_s = Some(row.time_s);
+    }
+    (kept_bytes, last_s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const INTERVAL_S: f64 = 0.1;
+    const STEP_S: f64 = 0.03;
+    const END_S: f64 = 1.05;
+
+    /// A run of the kind that lands on the times of its observer; gives back the clock it stopped at.
+    fn run(path: &Path, from: (f64, u64), stop_s: f64) -> (f64, u64) {
+        let mut writer = HistoryWriter::new(path, INTERVAL_S);
+        let (mut time_s, mut step) = from;
+        Observer::<2>::init(&mut writer, &view(time_s, step)).unwrap();
+        while time_s < stop_s {
+            let next_s = Observer::<2>::next_time_s(&writer).unwrap().min(END_S);
+            time_s = if time_s + STEP_S >= next_s { next_s } else { time_s + STEP_S };
+            step += 1;
+            Observer::<2>::every(&mut writer, &view(time_s, step)).unwrap();
+        }
+        Observer::<2>::finish(&mut writer, &view(time_s, step)).unwrap();
+        (time_s, step)
+    }
+
+    fn view(time_s: f64, step: u64) -> View<'static, 2> {
+        let history = HistoryRow {
+            time_s,
+            step,
+            peak_temperature_k: 300.0 + (7.0 * time_s).sin(),
+            dt_limit: "conduction, explicit".into(),
+            ..HistoryRow::default()
+        };
+        View {
+            time_s,
+            end_s: END_S,
+            step,
+            dt_s: STEP_S,
+            dt_limit: "conduction",
+            positions_m: &[],
+            spacing_m: &[],
+            fields: Vec::new(),
+            history,
+            pictures: None,
+        }
+    }
+
+    #[test]
+    fn rows_come_at_every_interval_at_the_start_and_at_the_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        run(&path, (0.0, 0), END_S);
+        let rows = read_history(&path).unwrap();
+        let mut times_s: Vec<f64> = (0..=10).map(|index| index as f64 * INTERVAL_S).collect();
+        times_s.push(END_S);
+        assert_eq!(rows.iter().map(|row| row.time_s).collect::<Vec<_>>(), times_s);
+        assert_eq!(rows[3], view(rows[3].time_s, rows[3].step).history);
+    }
+
+    #[test]
+    fn the_columns_are_those_of_the_contract() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        run(&path, (0.0, 0), 0.0);
+        let text = fs::read_to_string(&path).unwrap();
+        let header = "time_s,step,dt_s,dt_limit,peak_temperature_k,pool_width_m,pool_length_m,pool_depth_m,\
+                      melt_volume_m3,max_speed_m_s,energy_in_j,energy_stored_j,energy_lost_j,energy_residual_rel";
+        assert_eq!(text.lines().next().unwrap(), header);
+        assert_eq!(text.lines().count(), 2);
+    }
+
+    #[test]
+    fn a_resumed_history_equals_the_unbroken_one_wherever_it_was_broken() {
+        let folder = tempfile::tempdir().unwrap();
+        let (unbroken, broken) = (folder.path().join("unbroken.csv"), folder.path().join("broken.csv"));
+        run(&unbroken, (0.0, 0), END_S);
+        for tenth in 1..21 {
+            // Interrupted at a checkpoint, off the interval or on it ...
+            let checkpoint = run(&broken, (0.0, 0), 0.05 * tenth as f64);
+            run(&broken, checkpoint, END_S);
+            assert_eq!(fs::read(&broken).unwrap(), fs::read(&unbroken).unwrap());
+            // ... and killed long after it, in the middle of a row.
+            let text = fs::read(&broken).unwrap();
+            fs::write(&broken, &text[..text.len() - 3]).unwrap();
+            run(&broken, checkpoint, END_S);
+            assert_eq!(fs::read(&broken).unwrap(), fs::read(&unbroken).unwrap());
+        }
+    }
+
+    #[test]
+    fn a_fresh_run_starts_the_table_anew_and_a_missing_folder_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        run(&path, (0.0, 0), END_S);
+        run(&path, (0.0, 0), 0.0);
+        assert_eq!(read_history(&path).unwrap().len(), 1);
+        let mut lost = HistoryWriter::new(folder.path().join("none/history.csv"), INTERVAL_S);
+        let error = Observer::<2>::init(&mut lost, &view(0.0, 0)).unwrap_err();
+        assert!(error.to_string().contains("none/history.csv"), "{error}");
+    }
+}

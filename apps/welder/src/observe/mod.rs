@@ -1,0 +1,205 @@
+//! What a run shows to those who watch it: progress, history, frames, pictures, checkpoints, summary.
+//!
+//! Observers stand outside the physics. The run loop hands them a [`View`] of the particles; they never reach
+//! into the state and never change it, so a run gives the same bits whoever watches.
+
+pub mod checkpoint;
+pub mod checkpoint_error;
+pub mod checkpoint_format;
+pub mod history;
+pub mod machine;
+pub mod picture_data;
+pub mod schedule;
+pub mod summary;
+pub mod whole_file;
+
+use nalgebra::SVector;
+use std::path::{Path, PathBuf};
+
+pub use checkpoint::{CheckpointFolder, Found};
+pub use checkpoint_error::CheckpointError;
+pub use checkpoint_format::{Checkpoint, case_digest};
+pub use history::{HistoryRow, HistoryWriter, read_history};
+pub use machine::{Machine, peak_memory_bytes, process_cpu_s};
+pub use picture_data::{Pictures, SectionGrid};
+pub use schedule::Schedule;
+pub use summary::{Energy, Pool, PoolSize, Status, Summary, Weld};
+
+/// The values of one field, one entry a particle.
+#[derive(Clone, Copy, Debug)]
+pub enum Values<'a, const D: usize> {
+    /// One number a particle.
+    Scalar(&'a [f64]),
+    /// One vector a particle.
+    Vector(&'a [SVector<f64, D>]),
+    /// A small whole number a particle: a phase, a flag.
+    Byte(&'a [u8]),
+}
+
+impl<const D: usize> Values<'_, D> {
+    /// The number of particles that the field has values for.
+    pub fn len(&self) -> usize {
+        match self {
+            Values::Scalar(values) => values.len(),
+            Values::Vector(values) => values.len(),
+            Values::Byte(values) => values.len(),
+        }
+    }
+
+    /// Whether the field has no values.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// A named column of particle values.
+#[derive(Clone, Copy, Debug)]
+pub struct Field<'a, const D: usize> {
+    /// The name with its unit, such as `temperature_k`.
+    pub name: &'static str,
+    /// The values, in the order of the positions.
+    pub values: Values<'a, D>,
+}
+
+/// The clock of a run after one step: cheap enough to hand out after each.
+#[derive(Clone, Copy, Debug)]
+pub struct Pulse<'a> {
+    /// Physical time reached.
+    pub time_s: f64,
+    /// Physical time at which the run ends.
+    pub end_s: f64,
+    /// Steps taken so far.
+    pub step: u64,
+    /// Length of the last step.
+    pub dt_s: f64,
+    /// The name of the limit that ruled the last step.
+    pub dt_limit: &'a str,
+}
+
+/// What an observer sees of a run at one moment.
+#[derive(Clone, Debug)]
+pub struct View<'a, const D: usize> {
+    /// Physical time reached.
+    pub time_s: f64,
+    /// Physical time at which the run ends.
+    pub end_s: f64,
+    /// Steps taken so far; not zero in the first view of a resumed run.
+    pub step: u64,
+    /// Length of the last step.
+    pub dt_s: f64,
+    /// The name of the limit that ruled the last step.
+    pub dt_limit: &'a str,
+    /// Where the particles are.
+    pub positions_m: &'a [SVector<f64, D>],
+    /// The spacing that each particle stands for.
+    pub spacing_m: &'a [f64],
+    /// Every field that this run has.
+    pub fields: Vec<Field<'a, D>>,
+    /// The measures of this moment.
+    pub history: HistoryRow,
+    /// Pictures to draw, if this is a moment for them.
+    pub pictures: Option<Pictures>,
+}
+
+impl<const D: usize> View<'_, D> {
+    /// The clock alone.
+    pub fn pulse(&self) -> Pulse<'_> {
+        Pulse {
+            time_s: self.time_s,
+            end_s: self.end_s,
+            step: self.step,
+            dt_s: self.dt_s,
+            dt_limit: self.dt_limit,
+        }
+    }
+}
+
+/// Someone who watches a run.
+///
+/// The run loop lands a step exactly on the smallest [`next_time_s`](Observer::next_time_s) of its observers (it
+/// assigns that number to its clock, instead of adding up steps) and then hands every observer a view.
+pub trait Observer<const D: usize> {
+    /// The next physical time at which this observer wants a view, or `None` if it takes what comes.
+    fn next_time_s(&self) -> Option<f64> {
+        None
+    }
+
+    /// Called once before the first step, also of a resumed run.
+    fn init(&mut self, view: &View<D>) -> Result<(), ObserveError>;
+
+    /// Called after each step, when there is no view: must cost next to nothing.
+    fn stepped(&mut self, _pulse: &Pulse) {}
+
+    /// Called whenever the run loop has made a view; an observer that is not due yet lets it pass.
+    fn every(&mut self, view: &View<D>) -> Result<(), ObserveError>;
+
+    /// Called once after the last step, also when the run was interrupted or failed.
+    fn finish(&mut self, view: &View<D>) -> Result<(), ObserveError>;
+}
+
+/// Why an output could not be made.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ObserveError {
+    /// The file system refused.
+    #[error("cannot {action} {}: {source}", path.display())]
+    File {
+        /// What was tried.
+        action: &'static str,
+        /// On which file or folder.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A table could not be written or read.
+    #[error("the table {} cannot be used: {source}", path.display())]
+    Table {
+        /// The table.
+        path: PathBuf,
+        /// What the library said.
+        source: csv::Error,
+    },
+    /// A value could not be turned into JSON.
+    #[error("cannot encode {}: {source}", path.display())]
+    Json {
+        /// The file that was to be written.
+        path: PathBuf,
+        /// What the library said.
+        source: serde_json::Error,
+    },
+    /// The scene asks for a field that this run does not have.
+    #[error("the frames ask for the field `{name}`, which this run does not have; it has: {known}")]
+    UnknownField {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// A list of frames could not be read back.
+    #[error("the list of frames {} cannot be continued: {reason}", path.display())]
+    FrameList {
+        /// The list.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A picture could not be drawn.
+    #[error("cannot draw {}: {reason}", path.display())]
+    Picture {
+        /// The picture.
+        path: PathBuf,
+        /// What the library said.
+        reason: String,
+    },
+    /// A checkpoint could not be written or read.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+}
+
+impl ObserveError {
+    /// An error of the file system, for use with `map_err`.
+    pub fn file(action: &'static str, path: &Path) -> impl FnOnce(std::io::Error) -> ObserveError {
+        let path = path.to_path_buf();
+        move |source| ObserveError::File { action, path, source }
+    }
+}

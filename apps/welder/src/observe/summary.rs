@@ -1,0 +1,223 @@
+//! `summary.json`: what came out of a run, for scripts and for the tables of a report.
+
+use super::{ObserveError, whole_file};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// It came to its end and every audit passed.
+    Done,
+    /// It was interrupted after a checkpoint.
+    Interrupted,
+    /// It went wrong; there is a dossier.
+    Failed,
+    /// It came to its end, but an audit failed.
+    AuditFailed,
+}
+
+/// The result of a run. A number that is not finite becomes `null`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// How the run ended.
+    pub status: Status,
+    /// Version of the program.
+    pub version: String,
+    /// Name of the case.
+    pub case: String,
+    /// Number of dimensions.
+    pub dimension: usize,
+    /// Number of particles.
+    pub particles: usize,
+    /// The finest particle spacing.
+    pub spacing_m: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// How often each limit ruled the step.
+    pub step_limits: BTreeMap<String, u64>,
+    /// Time on the clock.
+    pub wall_s: f64,
+    /// Processor time over all threads, where the system tells.
+    pub cpu_s: Option<f64>,
+    /// Time on the clock before the first step.
+    pub setup_s: f64,
+    /// Particles times steps, by time on the clock.
+    pub particle_steps_per_s: f64,
+    /// Directed pairs visited.
+    pub pair_visits: u64,
+    /// Threads used.
+    pub threads: usize,
+    /// Most memory held, where the system tells.
+    pub peak_memory_bytes: Option<u64>,
+    /// Highest temperature of any particle at any time.
+    pub peak_temperature_k: f64,
+    /// The largest pool.
+    pub pool: Pool,
+    /// What was molten at any time.
+    pub weld: Weld,
+    /// The energy ledger.
+    pub energy: Energy,
+    /// Dimensionless numbers of the physics present, by name.
+    pub numbers: BTreeMap<String, f64>,
+}
+
+/// The largest extents of the pool at the liquidus and at the solidus.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Pool {
+    /// Largest width at the liquidus.
+    pub max_width_m: f64,
+    /// Largest length at the liquidus.
+    pub max_length_m: f64,
+    /// Largest depth at the liquidus.
+    pub max_depth_m: f64,
+    /// The same three at the solidus.
+    pub at_solidus: PoolSize,
+}
+
+/// The largest extents of the pool at one isotherm.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct PoolSize {
+    /// Largest width.
+    pub max_width_m: f64,
+    /// Largest length.
+    pub max_length_m: f64,
+    /// Largest depth.
+    pub max_depth_m: f64,
+}
+
+/// The weld: everything that was molten at any time.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Weld {
+    /// Width.
+    pub width_m: f64,
+    /// Length.
+    pub length_m: f64,
+    /// Depth.
+    pub depth_m: f64,
+    /// Volume.
+    pub volume_m3: f64,
+    /// When the last melt froze, if it did.
+    pub solidified_at_s: Option<f64>,
+}
+
+/// Where the energy went.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Energy {
+    /// Sent out by the source.
+    pub emitted_j: f64,
+    /// Taken up by the part.
+    pub absorbed_j: f64,
+    /// Stored as temperature.
+    pub sensible_j: f64,
+    /// Stored as melt.
+    pub latent_j: f64,
+    /// Lost through the surface.
+    pub lost_j: f64,
+    /// Stored as motion.
+    pub kinetic_j: f64,
+    /// Stored as strain.
+    pub strain_j: f64,
+    /// What cannot be accounted for, relative to what was absorbed.
+    pub residual_rel: f64,
+}
+
+impl Summary {
+    /// Writes the summary, whole or not at all.
+    pub fn write(&self, path: &Path) -> Result<(), ObserveError> {
+        write_json(path, self)
+    }
+
+    /// Reads a summary back.
+    pub fn read(path: &Path) -> Result<Self, ObserveError> {
+        let text = fs::read_to_string(path).map_err(ObserveError::file("read", path))?;
+        serde_json::from_str(&text).map_err(|source| ObserveError::Json { path: path.to_path_buf(), source })
+    }
+}
+
+/// Writes any value as indented JSON, whole or not at all.
+pub fn write_json(path: &Path, value: &impl Serialize) -> Result<(), ObserveError> {
+    let mut text = serde_json::to_vec_pretty(value)
+        .map_err(|source| ObserveError::Json { path: path.to_path_buf(), source })?;
+    text.push(b'\n');
+    whole_file::replace(path, &text).map_err(ObserveError::file("write", path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::Value;
+
+    fn example() -> Summary {
+        Summary {
+            status: Status::AuditFailed,
+            version: "0.1.0".into(),
+            case: "spot-aluminium".into(),
+            dimension: 3,
+            particles: 10_000,
+            spacing_m: 50e-6,
+            steps: 417,
+            step_limits: BTreeMap::from([("conduction".into(), 400), ("output".into(), 17)]),
+            wall_s: 0.4,
+            cpu_s: Some(0.39),
+            setup_s: 0.1,
+            particle_steps_per_s: 1.0e7,
+            pair_visits: 3_000_000_000_000,
+            threads: 1,
+            peak_memory_bytes: None,
+            peak_temperature_k: 0.1 + 0.2,
+            pool: Pool::default(),
+            weld: Weld { solidified_at_s: Some(0.0123), ..Weld::default() },
+            energy: Energy { residual_rel: -3.0e-16, ..Energy::default() },
+            numbers: BTreeMap::from([("stefan".into(), 1.7)]),
+        }
+    }
+
+    fn keys(value: &Value) -> Vec<&str> {
+        value.as_object().unwrap().keys().map(String::as_str).collect()
+    }
+
+    #[test]
+    fn a_summary_comes_back_to_the_last_bit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("summary.json");
+        example().write(&path).unwrap();
+        assert_eq!(Summary::read(&path).unwrap(), example());
+    }
+
+    #[test]
+    fn the_keys_are_those_of_the_contract() {
+        let value = serde_json::to_value(example()).unwrap();
+        let named = "status version case dimension particles spacing_m steps step_limits wall_s \
+                     particle_steps_per_s pair_visits threads peak_memory_bytes peak_temperature_k \
+                     pool weld energy numbers";
+        let mut expected: Vec<&str> = named.split_whitespace().chain(["cpu_s", "setup_s"]).collect();
+        let mut found = keys(&value);
+        expected.sort();
+        found.sort();
+        assert_eq!(found, expected);
+        assert_eq!(value["status"], "audit-failed");
+        let three = ["max_depth_m", "max_length_m", "max_width_m"];
+        let mut at_solidus = keys(&value["pool"]["at_solidus"]);
+        at_solidus.sort();
+        assert_eq!(at_solidus, three);
+        assert!(three.iter().all(|key| value["pool"][key] == 0.0));
+        for key in "width_m length_m depth_m volume_m3 solidified_at_s".split_whitespace() {
+            assert!(value["weld"].get(key).is_some(), "{key}");
+        }
+        for key in
+            "emitted_j absorbed_j sensible_j latent_j lost_j kinetic_j strain_j residual_rel".split(' ')
+        {
+            assert!(value["energy"].get(key).is_some(), "{key}");
+        }
+    }
+
+    #[test]
+    fn a_folder_that_is_not_there_is_named() {
+        let error = example().write(Path::new("/nowhere/at/all/summary.json")).unwrap_err();
+        assert!(error.to_string().starts_with("cannot write /nowhere/at/all/summary.json"), "{error}");
+    }
+}
