@@ -1,1 +1,19 @@
-//! Fixed-radius neighbour lists: cell grid and k-d tree behind one interface, spatial sort, skin and reuse.
+#![doc = include_str!("../README.md")]
+
+mod cell_frame;
+mod cell_grid;
+mod error;
+mod kd_tree;
+mod levels;
+mod list;
+mod point_index;
+mod reach;
+mod rows;
+mod search;
+#[cfg(test)]
+mod test_sets;
+
+pub use error::Error;
+pub use list::NeighborList;
+pub use reach::PairReach;
+pub use search::SearchMethod;
