@@ -1,1 +1,3 @@
 //! Simulates conduction-mode laser welding with smoothed particle hydrodynamics.
+
+pub mod case;
