@@ -1,3 +1,4 @@
 //! Simulates conduction-mode laser welding with smoothed particle hydrodynamics.
 
+pub mod case;
 pub mod observe;

@@ -1,0 +1,189 @@
+//! From a path and the overrides of the command line to a checked case.
+
+use std::path::{Path, PathBuf};
+
+use super::card::{self, CardSource};
+use super::material::Material;
+use super::nearest::nearest;
+use super::problem::{CaseError, Problem};
+use super::read::{parse, ron_options};
+use super::scene::Scene;
+use super::source::Source;
+use super::{library, set, validate};
+
+/// A case that was read and checked.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Short name: that of its folder, or of its file when that is not a scene.ron or case.ron.
+    pub name: String,
+    /// The folder of the scene file.
+    pub folder: PathBuf,
+    /// The scene file.
+    pub path: PathBuf,
+    /// What the scene says.
+    pub scene: Scene,
+    /// The materials of the scene, each once; the first is that of the part.
+    pub materials: Vec<Material>,
+    /// For each entry of `scene.part.regions`, which of `materials` fills it.
+    pub region_materials: Vec<usize>,
+    /// Text of the scene file, with the overrides put in.
+    pub source_text: String,
+}
+
+/// Reads the case at `path` (a folder with a scene.ron, or a .ron file), puts the overrides (`field=value`) into it and
+/// checks everything that can be checked before particles are placed.
+///
+/// # Errors
+/// All findings at once, each with its place, or the first one when the text cannot be parsed at all.
+pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
+    let path = scene_path(path)?;
+    let source = set::apply(Source::read(&path)?, overrides)?;
+    let scene: Scene = parse(&source)?;
+    let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+    let (cards, region_materials) = card::collect(&source, &scene, &folder)?;
+    let problems = validate::validate(&source, &scene, &cards, &region_materials);
+    if !problems.is_empty() {
+        return Err(CaseError { problems });
+    }
+    let materials = cards.into_iter().map(CardSource::into_material).collect();
+    Ok(Case {
+        name: name_of(&path),
+        folder,
+        path,
+        scene,
+        materials,
+        region_materials,
+        source_text: source.text,
+    })
+}
+
+impl Case {
+    /// Index in `materials` and start temperature in kelvin at a point (x, y, z) in metres.
+    pub fn fill_at(&self, point_m: [f64; 3]) -> (usize, f64) {
+        let part = &self.scene.part;
+        let hit = part
+            .regions
+            .iter()
+            .zip(&self.region_materials)
+            .rev()
+            .find(|(region, _)| region.contains(point_m));
+        match hit {
+            Some((region, &material)) => (material, region.start_k.unwrap_or(part.start_k)),
+            None => (0, part.start_k),
+        }
+    }
+}
+
+/// The case as it was understood, as a scene of its own: overrides put in, defaults and intervals filled in, materials
+/// inside. [`load`] reads it back to the same case wherever it lies.
+pub fn resolved_ron(case: &Case) -> String {
+    let mut scene = case.scene.clone();
+    scene.output.frame_interval_s = Some(scene.frame_interval_s());
+    scene.output.history_interval_s = Some(scene.history_interval_s());
+    scene.output.checkpoint_interval_s = Some(scene.checkpoint_interval_s());
+    scene.part.material = case.materials[0].name.clone();
+    for (region, &material) in scene.part.regions.iter_mut().zip(&case.region_materials) {
+        region.material = Some(case.materials[material].name.clone());
+    }
+    scene.materials =
+        case.materials.iter().map(|material| (material.name.clone(), material.card.clone())).collect();
+    let pretty = ron::ser::PrettyConfig::default().compact_arrays(true);
+    let body = ron_options().to_string_pretty(&scene, pretty).expect("a scene can be written as text");
+    format!("// The case {} as welder {} resolved it.\n{body}\n", case.name, env!("CARGO_PKG_VERSION"))
+}
+
+/// The scene file that the argument CASE means.
+fn scene_path(path: &Path) -> Result<PathBuf, Problem> {
+    if path.is_file() {
+        return Ok(path.to_path_buf());
+    }
+    if path.is_dir() {
+        let scene = path.join("scene.ron");
+        return if scene.is_file() { Ok(scene) } else { Err(missing(path, "the folder holds no scene.ron")) };
+    }
+    Err(missing(path, "there is no such file or folder"))
+}
+
+fn missing(path: &Path, reason: &str) -> Problem {
+    let folders = library::cases_folder().map(|cases| library::case_folders(&cases)).unwrap_or_default();
+    let names: Vec<String> = folders.iter().map(|folder| folder.display().to_string()).collect();
+    let wanted = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let short = |name: &str| name.rsplit('/').next().unwrap_or(name).to_string();
+    let shorts: Vec<String> = names.iter().map(|name| short(name)).collect();
+    let guess = nearest(&wanted, shorts.iter().map(String::as_str));
+    let guess = guess.and_then(|guess| names.iter().find(|name| short(name) == guess));
+    let guess = guess.map_or(String::new(), |name| format!("did you mean `{name}`? "));
+    let remedy = format!(
+        "{guess}accepted: a folder with a scene.ron, or a .ron file; cases here: {}",
+        names.join(", ")
+    );
+    Problem::without_text(&path.display().to_string(), reason.to_string(), remedy)
+}
+
+fn name_of(path: &Path) -> String {
+    let text = |part: Option<&std::ffi::OsStr>| part.map(|name| name.to_string_lossy().into_owned());
+    let stem = text(path.file_stem()).unwrap_or_default();
+    if stem != "scene" && stem != "case" {
+        return stem;
+    }
+    let absolute = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+    text(absolute.parent().and_then(Path::file_name)).unwrap_or(stem)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spot() -> PathBuf {
+        library::cases_folder().unwrap().join("spot-aluminium")
+    }
+
+    #[test]
+    fn a_folder_and_its_scene_are_the_same_case() {
+        let (by_folder, by_file) =
+            (load(&spot(), &[]).unwrap(), load(&spot().join("scene.ron"), &[]).unwrap());
+        assert_eq!(by_folder.scene, by_file.scene);
+        assert_eq!(by_folder.name, "spot-aluminium");
+        assert_eq!(by_folder.materials[0].name, "aluminium-model");
+    }
+
+    #[test]
+    fn the_resolved_case_reads_back_to_the_same_case() {
+        let region = "part.regions=[(low_m: (0, 0, -1e-3), high_m: (1e-3, 1e-3, 0), material: \"in625\", start_k: 400)]";
+        let case = load(&spot(), &["resolution.disorder=0.1".into(), region.into()]).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("case.ron");
+        std::fs::write(&path, resolved_ron(&case)).unwrap();
+        let again = load(&path, &[]).unwrap();
+        assert_eq!(again.scene.resolution, case.scene.resolution);
+        assert_eq!(again.region_materials, [1]);
+        for (first, second) in case.materials.iter().zip(&again.materials) {
+            assert_eq!((&first.name, &first.card), (&second.name, &second.card));
+        }
+        assert_eq!(
+            resolved_ron(&again).lines().skip(1).collect::<String>(),
+            resolved_ron(&case).lines().skip(1).collect::<String>()
+        );
+    }
+
+    #[test]
+    fn points_take_the_last_region_that_holds_them() {
+        let regions = "part.regions=[(low_m: (0, 0, -1e-3), high_m: (2e-3, 2e-3, 0), material: \"in625\"), \
+                       (low_m: (0, 0, -1e-3), high_m: (1e-3, 1e-3, 0), start_k: 400)]";
+        let case = load(&spot(), &[regions.into()]).unwrap();
+        assert_eq!(case.fill_at([1.5e-3, 0.5e-3, -0.5e-3]), (1, 293.0));
+        assert_eq!(case.fill_at([0.5e-3, 0.5e-3, -0.5e-3]), (0, 400.0));
+        assert_eq!(case.fill_at([3e-3, 3e-3, -2e-3]), (0, 293.0));
+    }
+
+    #[test]
+    fn a_mistyped_case_names_the_nearest() {
+        let error = load(Path::new("cases/spot-alumnium"), &[]).unwrap_err().to_string();
+        assert!(
+            error.contains("no such file")
+                && error.contains("did you mean")
+                && error.contains("spot-aluminium"),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,23 @@
+//! Cases: reading, overriding, checking and writing scene files and material cards.
+
+mod card;
+mod heat;
+pub mod library;
+mod load;
+pub mod locate;
+mod material;
+mod nearest;
+mod part;
+mod problem;
+mod read;
+mod resolution;
+pub mod scan;
+pub mod scene;
+mod set;
+pub mod source;
+mod validate;
+
+pub use card::read_card;
+pub use load::{Case, load, resolved_ron};
+pub use material::{Material, MaterialCard, Property, Quantity};
+pub use problem::{CaseError, Problem};

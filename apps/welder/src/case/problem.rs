@@ -1,0 +1,95 @@
+//! What is wrong with a case, where, and what would be right.
+
+use std::fmt;
+
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
+use thiserror::Error;
+
+/// One thing that is wrong, with its place in a file.
+#[derive(Debug, Clone, Error, Diagnostic)]
+#[error("{place}: {message}")]
+pub struct Problem {
+    /// file:line:column, or the file alone, or the argument of the command line.
+    pub place: String,
+    /// The path of the field, as in `part.size_m.0`; empty when the whole file is meant.
+    pub field: String,
+    /// The field, what was found, and why it cannot be.
+    pub message: String,
+    /// What is accepted, and what to try.
+    #[help]
+    pub remedy: String,
+    /// The file, for the excerpt.
+    #[source_code]
+    pub text: NamedSource<String>,
+    /// The bytes of the value in the file.
+    #[label("here")]
+    pub span: Option<SourceSpan>,
+}
+
+impl Problem {
+    /// A problem that has no place inside a text: a missing file, an argument.
+    pub fn without_text(place: &str, message: String, remedy: String) -> Problem {
+        Problem {
+            place: place.to_string(),
+            field: String::new(),
+            message,
+            remedy,
+            text: NamedSource::new(place, String::new()),
+            span: None,
+        }
+    }
+}
+
+/// Why a case cannot be run: all that was found wrong.
+#[derive(Debug, Clone)]
+pub struct CaseError {
+    /// At least one problem, in the order of the checks.
+    pub problems: Vec<Problem>,
+}
+
+impl std::error::Error for CaseError {}
+
+impl fmt::Display for CaseError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.problems
+            .iter()
+            .try_for_each(|problem| writeln!(formatter, "{problem}\n  help: {}", problem.remedy))
+    }
+}
+
+impl From<Problem> for CaseError {
+    fn from(problem: Problem) -> Self {
+        CaseError { problems: vec![problem] }
+    }
+}
+
+impl CaseError {
+    /// The problems with excerpts of the file, for a terminal; plain characters unless `coloured`.
+    pub fn report(&self, coloured: bool) -> String {
+        let theme = if coloured { GraphicalTheme::unicode() } else { GraphicalTheme::none() };
+        // Places must stay in one piece for people and programs that search for them.
+        let handler = GraphicalReportHandler::new_themed(theme).with_width(100).with_wrap_lines(false);
+        let mut report = String::new();
+        for problem in &self.problems {
+            if handler.render_report(&mut report, problem).is_err() {
+                report.push_str(&problem.to_string());
+            }
+            report.push('\n');
+        }
+        report
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_report_keeps_long_places_in_one_piece() {
+        let place = format!("/{}/scene.ron:3:7", "long-folder-name".repeat(12));
+        let problem = Problem::without_text(&place, "part.start_k is negative".into(), "above 1 K".into());
+        let report = CaseError::from(problem).report(false);
+        assert!(report.contains(&place), "{report}");
+        assert!(report.contains("above 1 K"), "{report}");
+    }
+}

@@ -1,0 +1,133 @@
+//! What a case file may say: the root of the scene and its sections on time, output and budget.
+//!
+//! Every value is in SI units and says so in its name. Unknown fields are refused; what is left out takes the
+//! default that stands at the field.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+pub use super::heat::{ConductivityMean, EnthalpyCurve, Heat, KernelShape, Physics, Stepping, Weights};
+pub use super::material::MaterialCard;
+pub use super::part::{Face, Faces, Part, Region};
+pub use super::resolution::{Levels, Resolution};
+
+/// The whole of a `scene.ron`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// What the case is, in words; for reports and pictures.
+    #[serde(default)]
+    pub title: String,
+    /// The workpiece.
+    pub part: Part,
+    /// How finely the workpiece is cut into particles.
+    pub resolution: Resolution,
+    /// The physics that is computed; what is not listed is not built.
+    pub physics: Vec<Physics>,
+    /// How long the run lasts.
+    pub time: Time,
+    /// What the run writes.
+    #[serde(default)]
+    pub output: Output,
+    /// What the run may cost.
+    #[serde(default)]
+    pub budget: Budget,
+    /// Material cards that stand in the scene itself; they are looked up before the files.
+    #[serde(default)]
+    pub materials: BTreeMap<String, MaterialCard>,
+}
+
+/// When the run ends.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Time {
+    /// Physical time at which the run ends, in seconds.
+    pub end_s: f64,
+    /// End earlier, as soon as the laser is off and nothing is molten any more. Default: false.
+    #[serde(default)]
+    pub stop_when_solid: bool,
+}
+
+/// What the run writes, and how often. Intervals are in physical seconds.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Output {
+    /// Whether frames (VTU) are written. Default: true.
+    pub frames: bool,
+    /// Time between frames. Default: a 25th of `time.end_s`.
+    pub frame_interval_s: Option<f64>,
+    /// Time between rows of history.csv. Default: a 500th of `time.end_s`.
+    pub history_interval_s: Option<f64>,
+    /// Time between checkpoints. Default: a fifth of `time.end_s`.
+    pub checkpoint_interval_s: Option<f64>,
+    /// Columns of the frames, out of [`OUTPUT_FIELDS`]. Default: temperature_k, phase, was_molten.
+    pub fields: Vec<String>,
+    /// Whether pictures (PNG) are drawn. Default: true.
+    pub pictures: bool,
+}
+
+/// The columns that a frame can hold.
+pub const OUTPUT_FIELDS: &[&str] = &[
+    "temperature_k",
+    "phase",
+    "was_molten",
+    "liquid_fraction",
+    "enthalpy_j_kg",
+    "peak_temperature_k",
+    "spacing_m",
+    "material",
+];
+
+impl Default for Output {
+    fn default() -> Self {
+        Output {
+            frames: true,
+            frame_interval_s: None,
+            history_interval_s: None,
+            checkpoint_interval_s: None,
+            fields: ["temperature_k", "phase", "was_molten"].map(String::from).to_vec(),
+            pictures: true,
+        }
+    }
+}
+
+/// What the run may cost at most; a case beyond it is refused before it starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Budget {
+    /// Most particles. Default: 20 million.
+    pub max_particles: u64,
+    /// Most steps. Default: 10 million.
+    pub max_steps: u64,
+    /// Most memory in bytes. Default: what the machine has free.
+    pub max_memory_bytes: Option<u64>,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Budget { max_particles: 20_000_000, max_steps: 10_000_000, max_memory_bytes: None }
+    }
+}
+
+impl Scene {
+    /// Time between frames in seconds, the default filled in.
+    pub fn frame_interval_s(&self) -> f64 {
+        self.output.frame_interval_s.unwrap_or(self.time.end_s / 25.0)
+    }
+
+    /// Time between rows of history.csv in seconds, the default filled in.
+    pub fn history_interval_s(&self) -> f64 {
+        self.output.history_interval_s.unwrap_or(self.time.end_s / 500.0)
+    }
+
+    /// Time between checkpoints in seconds, the default filled in.
+    pub fn checkpoint_interval_s(&self) -> f64 {
+        self.output.checkpoint_interval_s.unwrap_or(self.time.end_s / 5.0)
+    }
+
+    /// The settings of heat conduction, when the scene lists it.
+    pub fn heat(&self) -> Option<&Heat> {
+        self.physics.iter().map(|Physics::Heat(heat)| heat).next()
+    }
+}
