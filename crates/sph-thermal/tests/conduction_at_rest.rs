@@ -198,6 +198,8 @@ fn the_matrix_equals_the_rows_on_lattice_jump_and_disorder() {
         for (i, expected) in expected.iter().enumerate() {
             let found = matrix.chunk_heat(i / 8, &theta)[i % 8];
             assert!((found - expected).abs() < 1e-13, "case {case}, row {i}: {found} against {expected}");
+            let general = matrix.chunk_heat_by(i / 8, |g, own, other| g * (theta[other] - theta[own]))[i % 8];
+            assert!((general - expected).abs() < 1e-13, "case {case}, row {i}: {general} against {expected}");
         }
         assert_eq!(matrix.pairs(), rows.pairs());
         if case == 0 {

@@ -104,6 +104,27 @@ impl ConductionMatrix {
         sum
     }
 
+    /// Heat \[W\] that the rows of one chunk receive by any pair law `exchange(weight, own, other)` over particle indices:
+    /// the general form, for laws that are not linear in one potential.
+    pub fn chunk_heat_by(&self, chunk: usize, exchange: impl Fn(f64, usize, usize) -> f64) -> [f64; LANES] {
+        let Chunk { slots, places, length, pattern } = self.chunks[chunk];
+        let mut sum = [0.0; LANES];
+        for slot in 0..length {
+            for lane in 0..LANES {
+                let (own, weight) = (chunk * LANES + lane, self.weights[slots + slot][lane]);
+                if weight != 0.0 {
+                    let other = if pattern {
+                        (own as i64 + i64::from(self.shifts[places + slot])) as usize
+                    } else {
+                        self.columns[places + slot][lane] as usize
+                    };
+                    sum[lane] += exchange(weight, own, other);
+                }
+            }
+        }
+        sum
+    }
+
     fn push_chunk(&mut self, rows: &ConductionRows, first: usize, pattern: &mut Vec<i32>) {
         let last = (first + LANES).min(self.particles);
         let longest = (first..last).map(|i| rows.row(i).0.len()).max().unwrap_or(0);

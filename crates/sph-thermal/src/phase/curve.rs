@@ -136,6 +136,13 @@ impl EnthalpyCurve {
         piece.potential + over * (piece.linear + over * piece.quadratic)
     }
 
+    /// Conductivity \[W/(m K)\] at a specific enthalpy \[J/kg\].
+    #[inline]
+    pub fn conductivity(&self, enthalpy: f64) -> f64 {
+        let piece = &self.pieces[self.piece_of(enthalpy)];
+        (piece.linear + 2.0 * piece.quadratic * (enthalpy - piece.enthalpy)) / piece.slope
+    }
+
     /// Share of liquid, 0 to 1, at a specific enthalpy \[J/kg\].
     #[inline]
     pub fn liquid_fraction(&self, enthalpy: f64) -> f64 {
@@ -371,6 +378,7 @@ mod tests {
             let slope = (curve.potential(h + step) - theta) / rise;
             let k = material.conductivity(0.5 * (t + curve.temperature(h + step)));
             prop_assert!((slope - k).abs() < 2e-3 * ks.max(kl), "{slope} against {k}");
+            prop_assert!((curve.conductivity(h) - material.conductivity(t)).abs() < 1e-6 * ks.max(kl));
             let f = curve.liquid_fraction(h);
             prop_assert!((0.0..=1.0).contains(&f));
             prop_assert!((t < solidus) == (f == 0.0) || (t - solidus).abs() < 1e-9 * solidus);

@@ -1,0 +1,11 @@
+//! From a case to particles at rest: levels of spacing, particles, images, neighbours, pair weights.
+
+mod fine_box;
+mod levels;
+mod pairs;
+mod workpiece;
+
+pub use fine_box::{fine_box_around, largest_melt_radius};
+pub use levels::{Cell, CellBox, LevelPlan};
+pub use pairs::{PairReport, conduction_rows};
+pub use workpiece::{Workpiece, planes};

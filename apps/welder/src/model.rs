@@ -1,0 +1,131 @@
+//! The case as the engine takes it: numbers and curves instead of names and cards.
+
+use crate::case::Case;
+use crate::case::scene::{EnthalpyCurve as CurveChoice, Faces, Heat, Resolution};
+use laser_source::LaserSource;
+use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
+use std::sync::Arc;
+
+/// Material (index) and temperature \[K\] at a point \[m\] at the start.
+pub type Start = Arc<dyn Fn([f64; 3]) -> (u8, f64) + Send + Sync>;
+
+/// Everything that the engine needs to know to build and run a scene.
+#[derive(Clone)]
+pub struct Model {
+    /// Name of the case.
+    pub name: String,
+    /// Low corner of the part \[m\]; its top face is z = 0.
+    pub low_corner: [f64; 2],
+    /// Size of the part \[m\].
+    pub size: [f64; 3],
+    /// What the faces are.
+    pub faces: Faces,
+    /// Spacing, levels, disorder.
+    pub resolution: Resolution,
+    /// Materials in use.
+    pub materials: Vec<ThermalMaterial>,
+    /// Their enthalpy curves.
+    pub curves: Vec<EnthalpyCurve>,
+    /// What fills the part at the start.
+    pub start: Start,
+    /// The laser, if there is one.
+    pub laser: Option<LaserSource>,
+    /// How heat is computed.
+    pub heat: Heat,
+    /// End of the run \[s\].
+    pub end: f64,
+    /// Whether the run ends when everything has frozen after the laser's last light.
+    pub stop_when_solid: bool,
+}
+
+/// What the engine refuses although the case could be read.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ModelError {
+    /// The neighbour search refused the particles.
+    #[error("neighbour search: {0}")]
+    Neighbors(#[from] sph_neighbors::Error),
+    /// The thermal crate refused a material or the pair weights.
+    #[error("heat: {0}")]
+    Thermal(#[from] sph_thermal::Error),
+    /// The laser crate refused the source.
+    #[error("laser: {0}")]
+    Laser(#[from] laser_source::Error),
+    /// The integrator refused its settings.
+    #[error("time steps: {0}")]
+    Integrate(#[from] sph_integrate::Error),
+}
+
+impl Model {
+    /// The model of a checked case.
+    ///
+    /// # Errors
+    /// [`ModelError`] when a material is refused by the thermal crate.
+    pub fn from_case(case: &Case) -> Result<Self, ModelError> {
+        let scene = &case.scene;
+        let heat = scene.heat().copied().unwrap_or_default();
+        let materials: Vec<_> =
+            case.materials.iter().map(|material| thermal(&material.card)).collect::<Result<_, _>>()?;
+        let curves = materials.iter().map(|material| curve(material, heat.enthalpy)).collect::<Result<_, _>>()?;
+        let filled = case.clone();
+        let start = Arc::new(move |point| {
+            let (material, temperature) = filled.fill_at(point);
+            (material as u8, temperature)
+        });
+        Ok(Self {
+            name: case.name.clone(),
+            low_corner: scene.part.low_corner_m,
+            size: scene.part.size_m,
+            faces: scene.part.faces,
+            resolution: scene.resolution,
+            materials,
+            curves,
+            start,
+            laser: scene.laser.clone(),
+            heat,
+            end: scene.time.end_s,
+            stop_when_solid: scene.time.stop_when_solid,
+        })
+    }
+
+    /// Finest spacing \[m\].
+    pub fn spacing(&self) -> f64 {
+        self.resolution.spacing_m
+    }
+
+    /// Low and high corner of the part \[m\].
+    pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
+        let [x, y] = self.low_corner;
+        ([x, y, -self.size[2]], [x + self.size[0], y + self.size[1], 0.0])
+    }
+
+    /// Number of finest cells along each axis.
+    pub fn counts(&self) -> [i64; 3] {
+        self.size.map(|size| (size / self.spacing()).round() as i64)
+    }
+}
+
+/// The thermal side of a material card.
+fn thermal(card: &crate::case::scene::MaterialCard) -> Result<ThermalMaterial, sph_thermal::Error> {
+    let table = |property: &crate::case::material::Property| Table::new(property.points());
+    Ok(ThermalMaterial {
+        density: card.density_kg_m3.value,
+        solidus: card.solidus_k.value,
+        liquidus: card.liquidus_k.value,
+        latent_heat: card.latent_heat_j_kg.value,
+        heat_capacity_solid: table(&card.heat_capacity_solid_j_kg_k)?,
+        heat_capacity_liquid: table(&card.heat_capacity_liquid_j_kg_k)?,
+        conductivity_solid: table(&card.conductivity_solid_w_m_k)?,
+        conductivity_liquid: table(&card.conductivity_liquid_w_m_k)?,
+    })
+}
+
+/// The enthalpy curve that a scene asks for.
+///
+/// # Errors
+/// What the curve refuses.
+pub fn curve(material: &ThermalMaterial, choice: CurveChoice) -> Result<EnthalpyCurve, sph_thermal::Error> {
+    match choice {
+        CurveChoice::Continuous => EnthalpyCurve::continuous(material),
+        CurveChoice::HuEberhard2015 => EnthalpyCurve::hu_eberhard_2015(material),
+    }
+}

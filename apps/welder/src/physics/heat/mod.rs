@@ -1,0 +1,358 @@
+//! Heat in particles at rest: stored pair weights, stabilised super steps, an error estimate that chooses them.
+
+mod deposit;
+mod faces;
+mod step_size;
+mod super_step;
+
+use super::{Cost, Exchange, Failure, Physics};
+use crate::build::{PairReport, Workpiece, conduction_rows};
+use crate::case::scene::{ConductivityMean, Face, KernelShape};
+use crate::model::{Model, ModelError};
+use crate::particles::Particles;
+use deposit::Deposit;
+use faces::FaceExchange;
+use serde::{Deserialize, Serialize};
+use sph_integrate::{Rkl2Coefficients, StepLimit, largest_eigenvalue};
+use sph_kernel::KernelKind;
+use sph_thermal::conduction::{ConductionMatrix, ConductionRows, JointPair};
+use step_size::{StepSize, Verdict};
+use super_step::{Columns, Operator, StageWeights, block_sum};
+
+/// Rows this long pay for a power iteration; for shorter ones Gershgorin's bound is within 5 to 15 %.
+const POWER_ITERATION_PAIRS: usize = 12;
+
+/// Heat conduction of particles at rest with phase change, laser and faces.
+pub struct Heat {
+    operator: Operator,
+    joints: Vec<JointPair>,
+    faces: FaceExchange,
+    deposit: Option<Deposit>,
+    columns: Columns,
+    /// Laser power of each particle, mean over the step in hand \[W\].
+    laser: Vec<f64>,
+    /// Enthalpy of the stage in hand where joints and faces look for it \[J/kg\].
+    met: Vec<f64>,
+    /// Particles that joints and faces touch.
+    touched: Vec<usize>,
+    step_size: StepSize,
+    /// Power that leaves through faces at the start of the next step \[W\].
+    leaving: f64,
+    exchange: Exchange,
+    cost: Cost,
+    /// What the set-up of the pairs found.
+    pub report: PairReport,
+}
+
+/// What a checkpoint holds besides the shared columns.
+#[derive(Serialize, Deserialize)]
+struct State {
+    step_size: step_size::State,
+    exchange: Exchange,
+    cost: Cost,
+    conducted: Vec<f64>,
+    laser: Vec<f64>,
+    leaving: f64,
+}
+
+impl Heat {
+    /// Pairs, weights and step control of `model` on `workpiece`.
+    ///
+    /// # Errors
+    /// [`ModelError`] when the weights cannot be fitted or a setting is refused.
+    pub fn new(model: &Model, workpiece: &Workpiece) -> Result<Self, ModelError> {
+        let (settings, particles) = (&model.heat, &workpiece.particles);
+        let kernel = kernel_kind(settings.kernel);
+        let (rows, report) =
+            conduction_rows(workpiece, &model.faces, settings.weights, kernel, settings.smoothing_ratio)?;
+        let faces = FaceExchange::new(model, workpiece, &rows)?;
+        let deposit = match &model.laser {
+            Some(laser) => Some(Deposit::new(laser, workpiece, &rows, mirrored(model))?),
+            None => None,
+        };
+        let largest_slope = model.curves.iter().map(|curve| curve.largest_potential_slope()).fold(0.0, f64::max);
+        let euler = 2.0 / (largest_slope * spectral_bound(&rows, &particles.mass));
+        let harmonic = settings.conductivity_mean == ConductivityMean::Harmonic;
+        let (rows, joints) =
+            if harmonic { (rows, Vec::new()) } else { rows.split_joints(&particles.material) };
+        let operator = operator(model, workpiece, &rows, harmonic);
+        let columns = Columns::new(&operator);
+        let joined = joints.iter().flat_map(|pair| [pair.first as usize, pair.second as usize]);
+        let mut touched: Vec<usize> = faces.particles().iter().copied().chain(joined).collect();
+        touched.sort_unstable();
+        touched.dedup();
+        let mut heat = Self {
+            laser: vec![0.0; columns.power.len()],
+            met: vec![0.0; if touched.is_empty() { 0 } else { columns.power.len() }],
+            step_size: StepSize::new(settings.stepping, deposit.as_ref().map(Deposit::source), euler)?,
+            leaving: 0.0,
+            exchange: Exchange::default(),
+            cost: Cost::default(),
+            operator,
+            joints,
+            faces,
+            deposit,
+            columns,
+            touched,
+            report,
+        };
+        heat.begin(&particles.enthalpy);
+        heat.leaving = heat.conduct();
+        std::mem::swap(&mut heat.columns.conducted, &mut heat.columns.conducted_end);
+        Ok(heat)
+    }
+
+    /// Longest stable explicit Euler step \[s\].
+    pub fn euler_step(&self) -> f64 {
+        self.step_size.euler()
+    }
+
+    /// Directed pairs that one evaluation of the right-hand side visits.
+    pub fn pairs(&self) -> usize {
+        self.operator.matrix.pairs() + 2 * self.joints.len()
+    }
+
+    /// Share of rows stored as a pattern.
+    pub fn pattern_share(&self) -> f64 {
+        self.operator.matrix.pattern_share()
+    }
+
+    /// Takes `enthalpy` as the start of a step.
+    fn begin(&mut self, enthalpy: &[f64]) {
+        self.columns.start[..enthalpy.len()].copy_from_slice(enthalpy);
+        self.columns.increment.fill(0.0);
+        self.operator.evaluate(&mut self.columns);
+    }
+
+    /// Rate by conduction and faces at the last stage, into `conducted_end`; returns the power that leaves \[W\].
+    fn conduct(&mut self) -> f64 {
+        self.columns.power.fill(0.0);
+        let leaving = self.add_exchange();
+        self.operator.rate(&mut self.columns);
+        self.count_sweep();
+        leaving
+    }
+
+    fn count_sweep(&mut self) {
+        self.cost.sweeps += 1;
+        self.cost.pair_visits += self.pairs() as u64;
+    }
+
+    /// Adds joints and faces at the last stage to `power`; returns the power that leaves the part \[W\].
+    fn add_exchange(&mut self) -> f64 {
+        if self.touched.is_empty() {
+            return 0.0;
+        }
+        let Columns { start, increment, power, .. } = &mut self.columns;
+        for &i in &self.touched {
+            self.met[i] = start[i] + increment[i];
+        }
+        let (met, curves, material) = (&self.met, &self.operator.curves, &self.operator.material);
+        let side = |i: usize| {
+            let curve = &curves[material[i] as usize];
+            (curve.temperature(met[i]), curve.conductivity(met[i]))
+        };
+        for pair in &self.joints {
+            let (first, second) = (pair.first as usize, pair.second as usize);
+            let heat = pair.heat(side(first), side(second));
+            power[first] += heat;
+            power[second] -= heat;
+        }
+        self.faces.add(met, curves, &self.laser, power)
+    }
+
+    /// One super step of `step` \[s\] from the state in hand; returns the energy that left through faces \[J\].
+    fn super_step(&mut self, step: f64) -> f64 {
+        let inverse_mass = &self.operator.inverse_mass;
+        let Columns { rate, conducted, .. } = &mut self.columns;
+        for i in 0..rate.len() {
+            rate[i] = conducted[i] + self.laser[i] * inverse_mass[i];
+        }
+        let Some(coefficients) = self.step_size.coefficients(step) else {
+            return self.euler_stage(step, step * self.leaving);
+        };
+        let first = coefficients.first_mu_tilde() * step;
+        let mut left = self.euler_stage(first, first * self.leaving);
+        let mut left_before = 0.0;
+        for weights in StageWeights::of(&coefficients, step) {
+            self.columns.power.copy_from_slice(&self.laser);
+            let leaving = self.add_exchange();
+            self.operator.stage(weights, &mut self.columns);
+            self.count_sweep();
+            let next = weights.last * left + weights.before * left_before + weights.now * leaving
+                + weights.start * self.leaving;
+            left_before = std::mem::replace(&mut left, next);
+        }
+        left
+    }
+
+    /// Sets the increment to `step` times the rate at the start, the one before to zero; passes `left` on.
+    fn euler_stage(&mut self, step: f64, left: f64) -> f64 {
+        let Columns { rate, increment, before, .. } = &mut self.columns;
+        increment.iter_mut().zip(rate.iter()).for_each(|(u, rate)| *u = step * rate);
+        before.fill(0.0);
+        self.operator.evaluate(&mut self.columns);
+        left
+    }
+
+    /// Estimated error of the step over the heat taken up so far, both as root mean squares over mass.
+    fn error(&self, particles: &Particles<3>, step: f64) -> f64 {
+        let Columns { start, increment, rate, conducted_end, .. } = &self.columns;
+        let [error, heated] = block_sum(particles.len(), |i| {
+            let end_rate = conducted_end[i] + self.laser[i] * self.operator.inverse_mass[i];
+            let error = sph_integrate::local_error(0.0, increment[i], rate[i], end_rate, step);
+            let heated = start[i] + increment[i] - particles.start_enthalpy[i];
+            let mass = particles.mass[i];
+            [mass * error * error, mass * heated * heated]
+        });
+        if heated > 0.0 { (error / heated).sqrt() } else { error }
+    }
+
+    fn accept(&mut self, particles: &mut Particles<3>, leaving: f64) {
+        let Columns { start, increment, .. } = &mut self.columns;
+        for i in 0..particles.len() {
+            let enthalpy = start[i] + increment[i];
+            start[i] = enthalpy;
+            particles.enthalpy[i] = enthalpy;
+            particles.peak_enthalpy[i] = particles.peak_enthalpy[i].max(enthalpy);
+        }
+        self.columns.increment.fill(0.0);
+        self.leaving = leaving;
+        std::mem::swap(&mut self.columns.conducted, &mut self.columns.conducted_end);
+    }
+
+    fn failure(&self, particles: &Particles<3>, time: f64, what: &str) -> Failure {
+        let wrong = |i: &usize| !(self.columns.start[*i] + self.columns.increment[*i]).is_finite();
+        let at = (0..particles.len()).find(wrong).map(|i| particles.position[i].into());
+        let advice = "try Normalized weights, a smoothing_ratio of 1.0, less disorder, or a smaller tolerance";
+        Failure { physics: "heat", what: what.into(), time, at, advice: advice.into() }
+    }
+}
+
+impl Physics<3> for Heat {
+    fn name(&self) -> &'static str {
+        "heat"
+    }
+
+    fn step_limit(&self, time: f64) -> StepLimit {
+        self.step_size.limit(time)
+    }
+
+    fn advance(&mut self, particles: &mut Particles<3>, time: f64, step: f64) -> Result<f64, Failure> {
+        let mut step = step;
+        loop {
+            let absorbed = match &mut self.deposit {
+                Some(deposit) => step * deposit.fill(time, time + step, &mut self.laser),
+                None => 0.0,
+            };
+            let left = self.super_step(step);
+            let leaving = self.conduct();
+            let error = self.error(particles, step);
+            if !error.is_finite() && step <= self.step_size.smallest() {
+                return Err(self.failure(particles, time, "the enthalpy is no number any more"));
+            }
+            match self.step_size.judge(step, error) {
+                Verdict::Accept => {
+                    if let Some(deposit) = &self.deposit {
+                        self.exchange.add(&deposit.audit(time, time + step, absorbed));
+                    }
+                    self.exchange.lost += left;
+                    self.accept(particles, leaving);
+                    return Ok(step);
+                }
+                Verdict::Retry(shorter) => {
+                    step = shorter;
+                    self.cost.rejected_steps += 1;
+                    self.columns.increment.fill(0.0);
+                    self.operator.evaluate(&mut self.columns);
+                }
+            }
+        }
+    }
+
+    fn energy(&self) -> Exchange {
+        self.exchange
+    }
+
+    fn cost(&self) -> Cost {
+        self.cost
+    }
+
+    fn save(&self) -> Vec<u8> {
+        let state = State {
+            step_size: self.step_size.state(),
+            exchange: self.exchange,
+            cost: self.cost,
+            conducted: self.columns.conducted.clone(),
+            laser: self.laser.clone(),
+            leaving: self.leaving,
+        };
+        postcard::to_stdvec(&state).expect("numbers and columns always serialise")
+    }
+
+    fn restore(&mut self, particles: &Particles<3>, state: &[u8]) -> Result<(), String> {
+        let state: State = postcard::from_bytes(state).map_err(|error| format!("the state of heat: {error}"))?;
+        if state.conducted.len() != self.columns.conducted.len() || state.laser.len() != self.laser.len() {
+            return Err("the state of heat is of another number of particles".into());
+        }
+        self.step_size.restore(state.step_size);
+        (self.exchange, self.cost, self.leaving) = (state.exchange, state.cost, state.leaving);
+        (self.columns.conducted, self.laser) = (state.conducted, state.laser);
+        self.begin(&particles.enthalpy);
+        Ok(())
+    }
+}
+
+fn operator(model: &Model, workpiece: &Workpiece, rows: &ConductionRows, harmonic: bool) -> Operator {
+    let matrix = ConductionMatrix::new(rows);
+    let mut inverse_mass: Vec<f64> = workpiece.particles.mass.iter().map(|mass| 1.0 / mass).collect();
+    inverse_mass.resize(matrix.padded_len(), 0.0);
+    Operator {
+        matrix,
+        inverse_mass,
+        material: workpiece.particles.material.clone(),
+        curves: model.curves.clone(),
+        exchange: if harmonic { super_step::Exchange::Harmonic } else { super_step::Exchange::Kirchhoff },
+    }
+}
+
+/// Which of the low and high faces of x and y are symmetry planes.
+fn mirrored(model: &Model) -> [[bool; 2]; 2] {
+    let faces = &model.faces;
+    [[faces.x_min, faces.x_max], [faces.y_min, faces.y_max]].map(|axis| axis.map(|face| face == Face::Symmetry))
+}
+
+/// The kernel of a scene.
+pub fn kernel_kind(shape: KernelShape) -> KernelKind {
+    match shape {
+        KernelShape::WendlandC2 => KernelKind::WendlandC2,
+        KernelShape::Gaussian => KernelKind::Gaussian,
+        KernelShape::CubicSpline => KernelKind::CubicSpline,
+        KernelShape::QuinticSpline => KernelKind::QuinticSpline,
+    }
+}
+
+/// Bound on the spectrum of `dh/dt = (1/mass) sum g (h_j - h_i)`: Gershgorin's, or the power iteration's where rows are
+/// long enough for it to pay (it finds 0.55 to 0.85 of Gershgorin's bound there).
+fn spectral_bound(rows: &ConductionRows, mass: &[f64]) -> f64 {
+    let gershgorin = rows.gershgorin_bound(mass);
+    if rows.pairs() < POWER_ITERATION_PAIRS * rows.particles() {
+        return gershgorin;
+    }
+    // The symmetric form: 1/sqrt(mass) on either side.
+    let scale: Vec<f64> = mass.iter().map(|mass| 1.0 / mass.sqrt()).collect();
+    let mut wall = vec![0.0; mass.len()];
+    for coupling in rows.walls() {
+        wall[coupling.particle as usize] += coupling.coefficient;
+    }
+    let found = largest_eigenvalue(mass.len(), |x, y| {
+        for i in 0..x.len() {
+            let own = x[i] * scale[i];
+            let (neighbors, weights) = rows.row(i);
+            let exchange = |(&j, g): (&u32, &f64)| g * (own - x[j as usize] * scale[j as usize]);
+            let sum: f64 = neighbors.iter().zip(weights).map(exchange).sum();
+            y[i] = scale[i] * (sum + wall[i] * own);
+        }
+    });
+    found.min(gershgorin)
+}

@@ -1,0 +1,94 @@
+//! How physics are composed.
+//!
+//! A scene is a list of [`Physics`]: what it does not name is not built, stored or computed. Each module owns its private
+//! columns, says its own step limit, and reports to the ledger; the run loop knows none of them by name. To add one:
+//! its laws in a crate, one file here, one variant in the case's enum (see CONTRIBUTING).
+
+pub mod heat;
+
+use crate::particles::Particles;
+use serde::{Deserialize, Serialize};
+use sph_integrate::StepLimit;
+
+/// One physics of a scene.
+pub trait Physics<const D: usize> {
+    /// Its name in messages, counters and checkpoints.
+    fn name(&self) -> &'static str;
+
+    /// The longest step that it takes from `time` \[s\], and what limits it.
+    fn step_limit(&self, time: f64) -> StepLimit;
+
+    /// Advances the particles from `time` by `step` \[s\] or less, and returns the step taken.
+    ///
+    /// # Errors
+    /// [`Failure`] when the state is no longer one that physics knows.
+    fn advance(&mut self, particles: &mut Particles<D>, time: f64, step: f64) -> Result<f64, Failure>;
+
+    /// Its share of the energy ledger so far \[J\].
+    fn energy(&self) -> Exchange;
+
+    /// What it has cost so far.
+    fn cost(&self) -> Cost;
+
+    /// Its private state beyond the shared columns, for a checkpoint.
+    fn save(&self) -> Vec<u8>;
+
+    /// Takes up a state that [`save`](Self::save) gave, bit for bit; the shared columns are restored already.
+    ///
+    /// # Errors
+    /// A message when `state` is not of this physics.
+    fn restore(&mut self, particles: &Particles<D>, state: &[u8]) -> Result<(), String>;
+}
+
+/// Energy that crossed the border of the particles \[J\], of the modelled part.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Exchange {
+    /// Light sent out by the laser.
+    pub emitted: f64,
+    /// Light absorbed.
+    pub absorbed: f64,
+    /// Light reflected.
+    pub reflected: f64,
+    /// Light that missed the part.
+    pub missed: f64,
+    /// Heat given to faces of given flux or temperature (negative: taken up) and lost to the surroundings.
+    pub lost: f64,
+}
+
+impl Exchange {
+    /// Adds what crossed in one step.
+    pub fn add(&mut self, step: &Exchange) {
+        self.emitted += step.emitted;
+        self.absorbed += step.absorbed;
+        self.reflected += step.reflected;
+        self.missed += step.missed;
+        self.lost += step.lost;
+    }
+}
+
+/// Work done, in numbers that do not depend on the machine.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Cost {
+    /// Evaluations of the right-hand side.
+    pub sweeps: u64,
+    /// Directed pairs visited.
+    pub pair_visits: u64,
+    /// Steps that were taken back because their error was too large.
+    pub rejected_steps: u64,
+}
+
+/// Why a run could not go on.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{physics}: {what} at t = {time:.6e} s{}; {advice}", at.map(|p| format!(", x = {p:?} m")).unwrap_or_default())]
+pub struct Failure {
+    /// The physics that stopped.
+    pub physics: &'static str,
+    /// What it found.
+    pub what: String,
+    /// When \[s\].
+    pub time: f64,
+    /// Where \[m\].
+    pub at: Option<[f64; 3]>,
+    /// What to try.
+    pub advice: String,
+}
