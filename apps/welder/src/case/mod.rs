@@ -2,6 +2,7 @@
 
 mod card;
 mod heat;
+mod laser;
 pub mod library;
 mod load;
 pub mod locate;

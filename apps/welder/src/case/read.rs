@@ -84,9 +84,10 @@ fn key_before(source: &Source, end: usize, name: &str) -> (Range<usize>, String)
 /// A value of the wrong type or form. The parser stops before it, or right behind it where a separator stands.
 fn wrong_value(source: &Source, stop: usize, error: &Error) -> Problem {
     let rest = source.text[stop..].trim_start();
+    let too_few = matches!(error, Error::ExpectedDifferentLength { .. });
     let inside = match rest.starts_with([',', ')', ']', '}']) {
-        true => source.text[..stop].trim_end().len().saturating_sub(1),
-        false => source.text.len() - rest.len(),
+        true if !too_few => source.text[..stop].trim_end().len().saturating_sub(1),
+        _ => source.text.len() - rest.len(),
     };
     let path = path_at(&source.root, inside);
     let located = source.locate(&path);

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 pub use super::heat::{ConductivityMean, EnthalpyCurve, Heat, KernelShape, Physics, Stepping, Weights};
+pub use super::laser::Laser;
 pub use super::material::MaterialCard;
 pub use super::part::{Face, Faces, Part, Region};
 pub use super::resolution::{Levels, Resolution};
@@ -23,6 +24,9 @@ pub struct Scene {
     pub part: Part,
     /// How finely the workpiece is cut into particles.
     pub resolution: Resolution,
+    /// The laser. Default: none; then heat comes from the faces alone.
+    #[serde(default)]
+    pub laser: Option<Laser>,
     /// The physics that is computed; what is not listed is not built.
     pub physics: Vec<Physics>,
     /// How long the run lasts.
