@@ -6,11 +6,14 @@
 pub mod checkpoint;
 pub mod checkpoint_error;
 pub mod checkpoint_format;
+pub mod frame_list;
+pub mod frames;
 pub mod history;
 pub mod machine;
 pub mod picture_data;
 pub mod schedule;
 pub mod summary;
+pub mod vtu;
 pub mod whole_file;
 
 use nalgebra::SVector;
@@ -19,11 +22,13 @@ use std::path::{Path, PathBuf};
 pub use checkpoint::{CheckpointFolder, Found};
 pub use checkpoint_error::CheckpointError;
 pub use checkpoint_format::{Checkpoint, case_digest};
+pub use frames::FrameWriter;
 pub use history::{HistoryRow, HistoryWriter, read_history};
 pub use machine::{Machine, peak_memory_bytes, process_cpu_s};
 pub use picture_data::{Pictures, SectionGrid};
 pub use schedule::Schedule;
 pub use summary::{Energy, Pool, PoolSize, Status, Summary, Weld};
+pub use vtu::Precision;
 
 /// The values of one field, one entry a particle.
 #[derive(Clone, Copy, Debug)]
