@@ -1,4 +1,8 @@
 //! Simulates conduction-mode laser welding with smoothed particle hydrodynamics.
 
+pub mod build;
 pub mod case;
+pub mod model;
 pub mod observe;
+pub mod particles;
+pub mod physics;

@@ -92,8 +92,8 @@ pub enum Stepping {
     /// Stabilised explicit steps of many stages.
     SuperSteps {
         /// Temperature error that one step may make, in kelvin. Default: 1.
-        #[serde(default = "default_tolerance_k")]
-        tolerance_k: f64,
+        #[serde(default = "default_tolerance")]
+        tolerance: f64,
         /// Most stages of one step, at least 3. Default: 60.
         #[serde(default = "default_max_stages")]
         max_stages: u32,
@@ -106,7 +106,7 @@ pub enum Stepping {
     },
 }
 
-fn default_tolerance_k() -> f64 {
+fn default_tolerance() -> f64 {
     1.0
 }
 
@@ -120,6 +120,6 @@ fn default_euler_factor() -> f64 {
 
 impl Default for Stepping {
     fn default() -> Self {
-        Stepping::SuperSteps { tolerance_k: default_tolerance_k(), max_stages: default_max_stages() }
+        Stepping::SuperSteps { tolerance: default_tolerance(), max_stages: default_max_stages() }
     }
 }

@@ -174,8 +174,11 @@ impl Heat {
         let first = coefficients.first_mu_tilde() * step;
         let mut left = self.euler_stage(first, first * self.leaving);
         let mut left_before = 0.0;
+        self.columns.power.copy_from_slice(&self.laser);
         for weights in StageWeights::of(&coefficients, step) {
-            self.columns.power.copy_from_slice(&self.laser);
+            for &i in &self.touched {
+                self.columns.power[i] = self.laser[i];
+            }
             let leaving = self.add_exchange();
             self.operator.stage(weights, &mut self.columns);
             self.count_sweep();
