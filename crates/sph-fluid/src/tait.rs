@@ -2,10 +2,11 @@
 
 use crate::error::{Error, require};
 
-/// Pressure [Pa] at a density: p = (rho_0 c^2 / gamma) ((rho/rho_0)^gamma - 1); Tait's law as Monaghan (1994) writes it.
+/// Pressure (Pa) at a density: p = (rho_0 c^2 / gamma) ((rho/rho_0)^gamma - 1); Tait's law as Monaghan (1994)
+/// writes it.
 ///
-/// Densities in kg/m^3, `sound_speed_m_s` is that at the reference density; `gamma` has no unit (7 for a liquid, 1 makes
-/// the law linear).
+/// Densities in kg/m^3, `sound_speed_m_s` is that at the reference density; `gamma` has no unit (7 for a
+/// liquid, 1 makes the law linear).
 #[inline]
 #[must_use]
 pub fn tait_pressure(density: f64, reference_density: f64, sound_speed_m_s: f64, gamma: f64) -> f64 {
@@ -14,7 +15,8 @@ pub fn tait_pressure(density: f64, reference_density: f64, sound_speed_m_s: f64,
     reference_density * sound_speed_m_s * sound_speed_m_s / gamma * compression
 }
 
-/// Density [kg/m^3] at a pressure [Pa], the inverse of [`tait_pressure`]; NaN at or below the pressure of the void,
+/// Density (kg/m^3) at a pressure (Pa), the inverse of [`tait_pressure`]; NaN at or below the pressure of the
+/// void,
 /// -rho_0 c^2 / gamma.
 #[inline]
 #[must_use]
@@ -23,7 +25,7 @@ pub fn tait_density(pressure_pa: f64, reference_density: f64, sound_speed_m_s: f
     reference_density * (compression.ln_1p() / gamma).exp()
 }
 
-/// Speed of sound sqrt(dp/drho) [m/s] at a density: c (rho/rho_0)^((gamma - 1)/2).
+/// Speed of sound sqrt(dp/drho) (m/s) at a density: c (rho/rho_0)^((gamma - 1)/2).
 #[inline]
 #[must_use]
 pub fn tait_sound_speed(density: f64, reference_density: f64, sound_speed_m_s: f64, gamma: f64) -> f64 {
@@ -39,7 +41,7 @@ pub struct Tait {
 }
 
 impl Tait {
-    /// The law for a density without pressure [kg/m^3], the speed of sound there [m/s], and the exponent.
+    /// The law for a density without pressure (kg/m^3), the speed of sound there (m/s), and the exponent.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if one of them is not positive and finite, or the exponent below one.
@@ -52,21 +54,21 @@ impl Tait {
         Ok(Self { reference_density, sound_speed_m_s, gamma })
     }
 
-    /// Pressure [Pa] at a density [kg/m^3].
+    /// Pressure (Pa) at a density (kg/m^3).
     #[inline]
     #[must_use]
     pub fn pressure(&self, density: f64) -> f64 {
         tait_pressure(density, self.reference_density, self.sound_speed_m_s, self.gamma)
     }
 
-    /// Density [kg/m^3] at a pressure [Pa].
+    /// Density (kg/m^3) at a pressure (Pa).
     #[inline]
     #[must_use]
     pub fn density(&self, pressure_pa: f64) -> f64 {
         tait_density(pressure_pa, self.reference_density, self.sound_speed_m_s, self.gamma)
     }
 
-    /// Speed of sound [m/s] at a density [kg/m^3].
+    /// Speed of sound (m/s) at a density (kg/m^3).
     #[inline]
     #[must_use]
     pub fn sound_speed(&self, density: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! Heat in a bar of 200 cells with a hot spot: RKL2 super steps under error control, against the exact decay.
 //!
-//! Prints for each tolerance the accepted and rejected steps, the evaluations of the right-hand side, those that
-//! explicit Euler would have needed, and the error.
+//! Prints for each tolerance the accepted and rejected steps, the evaluations of the right-hand side, those
+//! that explicit Euler would have needed, and the error.
 
 use std::f64::consts::PI;
 

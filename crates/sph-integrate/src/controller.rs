@@ -5,14 +5,14 @@ use crate::error::{Error, require};
 /// What to do with a step whose error is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Decision {
-    /// Keep the step and try `next_s` next [s].
+    /// Keep the step and try `next_s` next (s).
     Accept {
-        /// Length to try next [s].
+        /// Length to try next (s).
         next_s: f64,
     },
-    /// Go back and try again with `retry_s` [s].
+    /// Go back and try again with `retry_s` (s).
     Reject {
-        /// Length to try again [s].
+        /// Length to try again (s).
         retry_s: f64,
     },
 }
@@ -20,7 +20,7 @@ pub enum Decision {
 /// What the controller remembers; save it and give it back to continue with the same bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ControllerState {
-    /// Length of the last accepted step [s]; 0 before the first.
+    /// Length of the last accepted step (s); 0 before the first.
     pub last_step_s: f64,
     /// Error of that step over the tolerance.
     pub last_error: f64,
@@ -37,8 +37,8 @@ impl Default for ControllerState {
 /// The predictive step controller for schemes of second order; Sommeijer, Shampine and Verwer (1998), after
 /// Watts (1984).
 ///
-/// The factor on the step is 0.8 (1/e_n)^(1/3), after an earlier accepted step times (e_{n-1}/e_n)^(1/3) h_n/h_{n-1},
-/// and lies between 0.1 and the largest growth; a step after a rejection does not grow.
+/// The factor on the step is 0.8 (1/e_n)^(1/3), after an earlier accepted step times (e_{n-1}/e_n)^(1/3)
+/// h_n/h_{n-1}, and lies between 0.1 and the largest growth; a step after a rejection does not grow.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepController {
     tolerance: f64,
@@ -77,8 +77,8 @@ impl StepController {
         self.state = state;
     }
 
-    /// Judges a step of `step_s` with the error norm `error` and proposes the next. An error that is not finite is
-    /// rejected like a very large one.
+    /// Judges a step of `step_s` with the error norm `error` and proposes the next. An error that is not
+    /// finite is rejected like a very large one.
     pub fn propose(&mut self, step_s: f64, error: f64) -> Decision {
         let error = error / self.tolerance;
         // Not a number fails this comparison.

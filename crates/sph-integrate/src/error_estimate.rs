@@ -3,15 +3,16 @@
 /// Estimate of the local error of one unknown over a step of `tau_s`:
 /// (12 (y_n - y_{n+1}) + 6 tau (f_n + f_{n+1})) / 15; Sommeijer, Shampine and Verwer (1998), RKC.
 ///
-/// It compares the step with the trapezoidal rule on its two ends: tau^3 y'''/15 to leading order if the step is exact.
-/// For RKL2 it is 1.5 (3 stages) to 2 (many stages) times the true error of a linear problem.
+/// It compares the step with the trapezoidal rule on its two ends: tau^3 y'''/15 to leading order if the step
+/// is exact. For RKL2 it is 1.5 (3 stages) to 2 (many stages) times the true error of a linear problem.
 #[inline]
 #[must_use]
 pub fn local_error(y_start: f64, y_end: f64, rate_start: f64, rate_end: f64, tau_s: f64) -> f64 {
     (12.0 * (y_start - y_end) + 6.0 * tau_s * (rate_start + rate_end)) / 15.0
 }
 
-/// How large an error of an unknown may be: `absolute + relative * max(|y_n|, |y_{n+1}|)`, in the unit of the unknown.
+/// How large an error of an unknown may be: `absolute + relative * max(|y_n|, |y_{n+1}|)`, in the unit of the
+/// unknown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorWeight {
     /// Error accepted at any size.

@@ -24,9 +24,9 @@ impl Rkl2Scratch {
 
 /// Advances `y` by one super step of `tau_s` of y' = `rhs`(y); RKL2 of Meyer, Balsara and Aslam (2014).
 ///
-/// `rhs(y, rate)` writes the rate of change; it must not depend on time within the step. The step is stable if
-/// `tau_s` is at most [`max_step`]. This driver is written for clarity; where the right-hand side is a row product,
-/// fuse it with the stage update from [`Rkl2Coefficients`] in one pass.
+/// `rhs(y, rate)` writes the rate of change; it must not depend on time within the step. The step is stable
+/// if `tau_s` is at most [`max_step`]. This driver is written for clarity; where the right-hand side is a row
+/// product, fuse it with the stage update from [`Rkl2Coefficients`] in one pass.
 ///
 /// # Panics
 /// If `y` is not as long as `scratch`.

@@ -2,8 +2,8 @@
 
 use crate::error::{Error, require};
 
-/// The moduli of an isotropic elastic material, all from two of them; relations of Landau and Lifshitz, Theory of
-/// Elasticity (1986), section 5.
+/// The moduli of an isotropic elastic material, all from two of them; relations of Landau and Lifshitz,
+/// Theory of Elasticity (1986), section 5.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IsotropicModuli {
     bulk_pa: f64,
@@ -11,10 +11,11 @@ pub struct IsotropicModuli {
 }
 
 impl IsotropicModuli {
-    /// From Young's modulus E [Pa] and Poisson's ratio nu: K = E/(3 (1 - 2 nu)), mu = E/(2 (1 + nu)).
+    /// From Young's modulus E (Pa) and Poisson's ratio nu: K = E/(3 (1 - 2 nu)), mu = E/(2 (1 + nu)).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if E is not positive, or nu not above -1 and below 0.5 (where K becomes infinite).
+    /// [`Error::OutOfRange`] if E is not positive, or nu not above -1 and below 0.5 (where K becomes
+    /// infinite).
     pub fn from_young_and_poisson(young_pa: f64, poisson: f64) -> Result<Self, Error> {
         require(young_pa > 0.0, "young_pa", young_pa, "a positive modulus in pascals")?;
         require(poisson > -1.0 && poisson < 0.5, "poisson", poisson, "a ratio above -1 and below 0.5")?;
@@ -24,7 +25,7 @@ impl IsotropicModuli {
         })
     }
 
-    /// From the bulk modulus K [Pa] and the shear modulus mu [Pa].
+    /// From the bulk modulus K (Pa) and the shear modulus mu (Pa).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if one of them is not positive.
@@ -34,7 +35,7 @@ impl IsotropicModuli {
         Ok(Self { bulk_pa, shear_pa })
     }
 
-    /// From Lame's constants lambda [Pa] and mu [Pa]: K = lambda + 2 mu/3.
+    /// From Lame's constants lambda (Pa) and mu (Pa): K = lambda + 2 mu/3.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if mu or K is not positive.
@@ -45,25 +46,25 @@ impl IsotropicModuli {
         Ok(Self { bulk_pa, shear_pa })
     }
 
-    /// Bulk modulus K [Pa].
+    /// Bulk modulus K (Pa).
     #[must_use]
     pub fn bulk_pa(&self) -> f64 {
         self.bulk_pa
     }
 
-    /// Shear modulus mu [Pa].
+    /// Shear modulus mu (Pa).
     #[must_use]
     pub fn shear_pa(&self) -> f64 {
         self.shear_pa
     }
 
-    /// Lame's first constant lambda = K - 2 mu/3 [Pa].
+    /// Lame's first constant lambda = K - 2 mu/3 (Pa).
     #[must_use]
     pub fn lambda_pa(&self) -> f64 {
         self.bulk_pa - 2.0 / 3.0 * self.shear_pa
     }
 
-    /// Young's modulus E = 9 K mu/(3 K + mu) [Pa].
+    /// Young's modulus E = 9 K mu/(3 K + mu) (Pa).
     #[must_use]
     pub fn young_pa(&self) -> f64 {
         9.0 * self.bulk_pa * self.shear_pa / (3.0 * self.bulk_pa + self.shear_pa)
@@ -89,8 +90,9 @@ mod tests {
             prop_assert!((moduli.poisson() - poisson).abs() < 1e-13);
             let again = IsotropicModuli::from_lame(moduli.lambda_pa(), moduli.shear_pa()).unwrap();
             // K is a small difference when nu is near -1.
-            prop_assert!((again.bulk_pa() - moduli.bulk_pa()).abs() < 1e-14 * (moduli.bulk_pa() + moduli.shear_pa()));
-            prop_assert!(IsotropicModuli::from_bulk_and_shear(moduli.bulk_pa(), moduli.shear_pa()).unwrap() == moduli);
+            let (bulk, shear) = (moduli.bulk_pa(), moduli.shear_pa());
+            prop_assert!((again.bulk_pa() - bulk).abs() < 1e-14 * (bulk + shear));
+            prop_assert!(IsotropicModuli::from_bulk_and_shear(bulk, shear).unwrap() == moduli);
         }
 
         #[test]
