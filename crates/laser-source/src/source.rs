@@ -13,9 +13,10 @@ use crate::rectangle::Rectangle;
 /// A beam that moves along a path over a plane surface and is partly absorbed; valid by construction.
 ///
 /// Means over a step are integrated in time by Gauss-Legendre quadrature, piece by piece between the events
-/// of the path, because a source held at mid-step leaves an error that no finer grid removes. The error is
-/// below 1e-6 of the largest value for a Gaussian, and 2e-4 for a top-hat, whose rim is sharp; sums over a
-/// tiling are exact to round-off.
+/// of the path, because a source held at mid-step leaves an error that no finer grid removes. For a Gaussian
+/// the error is below 1e-6 of what a square of the same size receives in the middle of the beam. A top-hat has a
+/// sharp rim: below 1e-3 for squares on the rim with sides of 1/25 of its radius or more. Sums over a tiling are
+/// exact to round-off for both.
 ///
 /// In a case file:
 ///
