@@ -14,9 +14,9 @@ use crate::rectangle::Rectangle;
 ///
 /// Means over a step are integrated in time by Gauss-Legendre quadrature, piece by piece between the events
 /// of the path, because a source held at mid-step leaves an error that no finer grid removes. For a Gaussian
-/// the error is below 1e-6 of what a square of the same size receives in the middle of the beam. A top-hat has a
-/// sharp rim: below 1e-3 for squares on the rim with sides of 1/25 of its radius or more. Sums over a tiling are
-/// exact to round-off for both.
+/// the error is below 1e-6 of what a square of the same size receives in the middle of the beam. A top-hat
+/// has a sharp rim: below 1e-3 for squares on the rim with sides of 1/25 of its radius or more. Sums over a
+/// tiling are exact to round-off for both.
 ///
 /// In a case file:
 ///
