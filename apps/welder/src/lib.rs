@@ -2,7 +2,9 @@
 
 pub mod build;
 pub mod case;
+pub mod measure;
 pub mod model;
 pub mod observe;
 pub mod particles;
 pub mod physics;
+pub mod run;

@@ -1,6 +1,6 @@
 //! The case as the engine takes it: numbers and curves instead of names and cards.
 
-use crate::case::Case;
+use crate::case::{Case, MaterialCard, Property};
 use crate::case::scene::{EnthalpyCurve as CurveChoice, Faces, Heat, Resolution};
 use laser_source::LaserSource;
 use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
@@ -80,7 +80,7 @@ impl Model {
             materials,
             curves,
             start,
-            laser: scene.laser.clone(),
+            laser: scene.laser.as_ref().map(|laser| laser.source()).transpose()?,
             heat,
             end: scene.time.end_s,
             stop_when_solid: scene.time.stop_when_solid,
@@ -105,8 +105,8 @@ impl Model {
 }
 
 /// The thermal side of a material card.
-fn thermal(card: &crate::case::scene::MaterialCard) -> Result<ThermalMaterial, sph_thermal::Error> {
-    let table = |property: &crate::case::material::Property| Table::new(property.points());
+fn thermal(card: &MaterialCard) -> Result<ThermalMaterial, sph_thermal::Error> {
+    let table = |property: &Property| Table::new(property.points());
     Ok(ThermalMaterial {
         density: card.density_kg_m3.value,
         solidus: card.solidus_k.value,

@@ -38,6 +38,23 @@ fn coldest_start(model: &Model) -> f64 {
     (model.start)(low).1
 }
 
+/// The box \[m\] that the lit part of the beam's path covers, a beam radius around it; the whole part without a laser.
+pub fn lit_box(model: &Model) -> [[f64; 3]; 2] {
+    let (low, high) = model.bounds();
+    let Some(laser) = &model.laser else { return [low, high] };
+    let radius = laser.beam().radius_m();
+    let lit: Vec<_> = laser.track().points().windows(2).filter(|ends| ends[0].power_w + ends[1].power_w > 0.0).collect();
+    let end = |pick: fn(f64, f64) -> f64, start: f64, of: fn(&laser_source::TrackPoint) -> f64| {
+        lit.iter().flat_map(|ends| ends.iter()).map(of).fold(start, pick)
+    };
+    let (x, y): (fn(&laser_source::TrackPoint) -> f64, fn(&laser_source::TrackPoint) -> f64) = (|p| p.x_m, |p| p.y_m);
+    let inf = f64::INFINITY;
+    [
+        [end(f64::min, inf, x) - radius, end(f64::min, inf, y) - radius, 0.0],
+        [end(f64::max, -inf, x) + radius, end(f64::max, -inf, y) + radius, 0.0],
+    ]
+}
+
 /// The box of finest cells around a pool that reaches from `low` to `high` \[m\], with its margin.
 pub fn fine_box_around(model: &Model, low: [f64; 3], high: [f64; 3]) -> CellBox<3> {
     let spacing = model.spacing();

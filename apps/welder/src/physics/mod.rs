@@ -18,6 +18,9 @@ pub trait Physics<const D: usize> {
     /// The longest step that it takes from `time` \[s\], and what limits it.
     fn step_limit(&self, time: f64) -> StepLimit;
 
+    /// The next time after `time` that a step must end on, because something changes there \[s\].
+    fn next_event(&self, time: f64) -> Option<f64>;
+
     /// Advances the particles from `time` by `step` \[s\] or less, and returns the step taken.
     ///
     /// # Errors

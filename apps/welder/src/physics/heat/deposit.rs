@@ -22,6 +22,8 @@ pub(super) struct Deposit {
     face: Rectangle,
     whole: Rectangle,
     copies: f64,
+    /// Share of the entering light that the part's thickness holds back (Beer-Lambert; one for a surface source).
+    held: f64,
 }
 
 impl Deposit {
@@ -58,6 +60,7 @@ impl Deposit {
             particles,
             face: rectangle(false),
             whole: rectangle(true),
+            held: source.absorption().share_between(0.0, workpiece.high[2] - workpiece.low[2]),
             copies: mirrored.iter().flatten().map(|&mirror| if mirror { 2.0 } else { 1.0 }).product(),
         })
     }
@@ -70,7 +73,7 @@ impl Deposit {
         self.patches.accumulate(&self.source, start, end, 1.0, &mut self.light);
         self.light.iter_mut().zip(&self.share).for_each(|(light, share)| *light *= share);
         let taken: f64 = self.light.iter().sum();
-        let absorbed = self.source.mean_absorbed_power(start, end, &self.face);
+        let absorbed = self.held * self.source.mean_absorbed_power(start, end, &self.face);
         let scale = if taken > 0.0 { absorbed / taken } else { 0.0 };
         for (&particle, light) in self.particles.iter().zip(&self.light) {
             power[particle] = scale * light;
@@ -85,7 +88,8 @@ impl Deposit {
             emitted: audit.emitted_j / self.copies,
             absorbed,
             reflected: audit.reflected_j / self.copies,
-            missed: audit.missed_j / self.copies,
+            // Light that leaves through the bottom has missed the part too.
+            missed: (audit.missed_j + (1.0 - self.held) * audit.absorbed_j) / self.copies,
             lost: 0.0,
         }
     }

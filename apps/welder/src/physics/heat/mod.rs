@@ -241,6 +241,10 @@ impl Physics<3> for Heat {
         self.step_size.limit(time)
     }
 
+    fn next_event(&self, time: f64) -> Option<f64> {
+        self.step_size.next_event(time)
+    }
+
     fn advance(&mut self, particles: &mut Particles<3>, time: f64, step: f64) -> Result<f64, Failure> {
         let mut step = step;
         loop {

@@ -34,7 +34,7 @@ pub(super) struct State {
     next: f64,
     last: f64,
     error: f64,
-    rejected: bool,
+    growth_cap: f64,
 }
 
 /// Step control of heat: stability, the source's rule, and the estimated error.
@@ -108,9 +108,12 @@ impl StepSize {
             limits.push(StepLimit { name: "heat error", dt_s: by_error });
             limits.extend(rule.map(|rule| StepLimit { name: "laser", dt_s: rule.longest }));
         }
-        let next_event = self.events.iter().copied().find(|&event| event > time);
-        limits.extend(next_event.map(|event| StepLimit { name: "laser event", dt_s: event - time }));
         smallest(limits)
+    }
+
+    /// The next time after `time` at which the laser changes \[s\].
+    pub(super) fn next_event(&self, time: f64) -> Option<f64> {
+        self.events.iter().copied().find(|&event| event > time)
     }
 
     /// Judges a step of `step` \[s\] with the estimated relative error `error`.
@@ -133,15 +136,15 @@ impl StepSize {
 
     pub(super) fn state(&self) -> State {
         let controller = self.controller.as_ref().map(StepController::state).unwrap_or_default();
-        let ControllerState { last_step_s: last, last_error: error, rejected } = controller;
-        State { next: self.next, last, error, rejected }
+        let ControllerState { last_step_s: last, last_error: error, growth_cap } = controller;
+        State { next: self.next, last, error, growth_cap }
     }
 
     pub(super) fn restore(&mut self, state: State) {
         self.next = state.next;
         if let Some(controller) = &mut self.controller {
-            let State { last: last_step_s, error: last_error, rejected, .. } = state;
-            controller.restore(ControllerState { last_step_s, last_error, rejected });
+            let State { last: last_step_s, error: last_error, growth_cap, .. } = state;
+            controller.restore(ControllerState { last_step_s, last_error, growth_cap });
         }
     }
 }

@@ -1,0 +1,345 @@
+//! The gauge: what an engineer would measure on the pool, from the finest grid of particles.
+//!
+//! Levels are read in the Kirchhoff potential of the part's own material, which bends less than temperature where the
+//! conductivity changes. The top face has values of its own, from the two layers below it and the flux of the moment.
+
+use super::Sampler;
+use super::isotherm::{Extent, crossing, rise_above_middle, smooth_maximum};
+use crate::build::Workpiece;
+use crate::case::scene::Face;
+use crate::model::{Model, ModelError};
+use crate::particles::Particles;
+use laser_source::SurfacePatches;
+use sph_thermal::boundary::surface_potential;
+use sph_thermal::phase::EnthalpyCurve;
+
+/// The flux at the end of a step is taken as the mean over this last share of it.
+const END_OF_STEP: f64 = 1e-3;
+
+/// What was measured at one time.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Measure {
+    /// Hottest point of the top face \[K\], between particles.
+    pub peak_temperature: f64,
+    /// Region above the liquidus.
+    pub liquidus: Extent,
+    /// Region above the solidus.
+    pub solidus: Extent,
+    /// Molten volume of the whole part, mirror images counted \[m³\].
+    pub melt_volume: f64,
+    /// Largest enthalpy over all particles less that of the solidus \[J/kg\]; not above zero when all is solid.
+    pub over_solidus: f64,
+    /// Whether melt has reached the edge of the finest spacing.
+    pub beyond_finest: bool,
+}
+
+/// Reads sizes off the finest grid of a workpiece.
+pub struct Gauge {
+    counts: [usize; 3],
+    spacing: f64,
+    /// Low corner of the grid in x and y \[m\].
+    low: [f64; 2],
+    /// Whether the low and high ends of x and y are mirror planes.
+    mirror: [[bool; 2]; 2],
+    /// Whether the ends of x and y, and the bottom, are faces of the part.
+    face: [[bool; 2]; 3],
+    curve: EnthalpyCurve,
+    levels: [f64; 2],
+    sampler: Sampler,
+    patches: Option<SurfacePatches>,
+    flux: Vec<f64>,
+    now: Grid,
+    peak: Grid,
+    copies: f64,
+}
+
+/// Potentials at the nodes of the finest grid and on the top face above them.
+#[derive(Debug, Clone)]
+struct Grid {
+    nodes: Vec<f64>,
+    surface: Vec<f64>,
+}
+
+impl Gauge {
+    /// A gauge on the finest grid of `workpiece`.
+    ///
+    /// # Errors
+    /// [`ModelError`] when the laser refuses the grid.
+    pub fn new(model: &Model, workpiece: &Workpiece) -> Result<Self, ModelError> {
+        let counts = workpiece.finest.counts();
+        let [nx, ny, nz] = counts;
+        let spacing = workpiece.spacing;
+        let low = [0, 1].map(|axis| workpiece.low[axis] + spacing * workpiece.finest.low[axis] as f64);
+        let faces = [[model.faces.x_min, model.faces.x_max], [model.faces.y_min, model.faces.y_max]];
+        let part = model.counts();
+        let face: [[bool; 2]; 3] = std::array::from_fn(|axis| {
+            [workpiece.finest.low[axis] == 0, workpiece.finest.high[axis] == part[axis]]
+        });
+        let mirror = std::array::from_fn(|axis| {
+            std::array::from_fn(|side| faces[axis][side] == Face::Symmetry && face[axis][side])
+        });
+        let mirrors = faces.iter().flatten().filter(|face| **face == Face::Symmetry).count();
+        let patches = match &model.laser {
+            Some(_) => Some(columns(counts, low, spacing)?),
+            None => None,
+        };
+        let curve = model.curves[0].clone();
+        let level = |enthalpy: f64| curve.potential(enthalpy);
+        let grid = |value: f64| Grid { nodes: vec![value; nx * ny * nz], surface: vec![value; nx * ny] };
+        Ok(Self {
+            counts,
+            spacing,
+            low,
+            mirror,
+            face,
+            levels: [level(curve.enthalpy_liquidus()), level(curve.enthalpy_solidus())],
+            curve,
+            sampler: Sampler::new(workpiece, &model.faces),
+            patches,
+            flux: vec![0.0; nx * ny],
+            now: grid(0.0),
+            peak: grid(f64::NEG_INFINITY),
+            copies: f64::from(1u32 << mirrors),
+        })
+    }
+
+    /// Measures the state at `time` after a step of `step` \[s\].
+    pub fn measure(&mut self, model: &Model, particles: &Particles<3>, time: f64, step: f64) -> Measure {
+        let curve = &self.curve;
+        self.sampler.read(|i| curve.potential(particles.enthalpy[i]), &mut self.now.nodes);
+        self.read_surface(model, time, step);
+        keep_largest(&mut self.peak.nodes, &self.now.nodes);
+        keep_largest(&mut self.peak.surface, &self.now.surface);
+        let [liquidus, solidus] = self.levels;
+        let solidus = self.extent(&self.now, solidus);
+        Measure {
+            peak_temperature: self.curve.temperature_at_potential(self.surface_peak()),
+            liquidus: self.extent(&self.now, liquidus),
+            beyond_finest: self.at_edge(&solidus),
+            solidus,
+            melt_volume: self.melt_volume(model, particles),
+            over_solidus: over_solidus(model, particles),
+        }
+    }
+
+    /// Everything that was ever above the liquidus: the weld.
+    pub fn weld(&self) -> Extent {
+        self.extent(&self.peak, self.levels[0])
+    }
+
+    /// Volume that was ever all liquid, mirror images counted \[m³\].
+    pub fn weld_volume(&self, model: &Model, particles: &Particles<3>) -> f64 {
+        let share = |i: usize| {
+            let curve = &model.curves[particles.material[i] as usize];
+            particles.volume[i] * curve.liquid_fraction(particles.peak_enthalpy[i])
+        };
+        self.copies * (0..particles.len()).map(share).sum::<f64>()
+    }
+
+    /// The largest potentials so far, for a checkpoint.
+    pub fn save(&self) -> (Vec<f64>, Vec<f64>) {
+        (self.peak.nodes.clone(), self.peak.surface.clone())
+    }
+
+    /// Takes up what [`save`](Self::save) gave.
+    ///
+    /// # Errors
+    /// A message when it is of another grid.
+    pub fn restore(&mut self, (nodes, surface): (Vec<f64>, Vec<f64>)) -> Result<(), String> {
+        if nodes.len() != self.peak.nodes.len() || surface.len() != self.peak.surface.len() {
+            return Err("the gauge's state is of another grid".into());
+        }
+        self.peak = Grid { nodes, surface };
+        Ok(())
+    }
+
+    /// How many copies of the modelled part make the whole: two for each symmetry plane.
+    pub fn copies(&self) -> f64 {
+        self.copies
+    }
+
+    /// Temperatures \[K\] in the upright section through the grid's column nearest to `at` on `axis`, as
+    /// (horizontal m, vertical m, temperatures row by row from the top face down).
+    pub fn section(&self, axis: usize, at: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+        let [nx, ny, nz] = self.counts;
+        let along = 1 - axis;
+        let fixed = ((at - self.low[axis]) / self.spacing - 0.5).round().clamp(0.0, self.counts[axis] as f64 - 1.0);
+        let column = |k: usize| if axis == 1 { fixed as usize * nx + k } else { k * nx + fixed as usize };
+        let count = self.counts[along];
+        let horizontal = (0..count).map(|k| self.low[along] + self.spacing * (k as f64 + 0.5)).collect();
+        let vertical = std::iter::once(0.0).chain((0..nz).map(|k| -self.spacing * (k as f64 + 0.5))).collect();
+        let temperature = |theta: f64| self.curve.temperature_at_potential(theta);
+        let mut values: Vec<f64> = (0..count).map(|k| temperature(self.now.surface[column(k)])).collect();
+        for layer in 0..nz {
+            values.extend((0..count).map(|k| temperature(self.now.nodes[layer * nx * ny + column(k)])));
+        }
+        (horizontal, vertical, values)
+    }
+
+    /// Temperatures \[K\] of the top face as (x m, y m, temperatures row by row along y).
+    pub fn top(&self) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+        let axis = |a: usize| (0..self.counts[a]).map(|k| self.low[a] + self.spacing * (k as f64 + 0.5)).collect();
+        let values = self.now.surface.iter().map(|&theta| self.curve.temperature_at_potential(theta)).collect();
+        (axis(0), axis(1), values)
+    }
+
+    fn read_surface(&mut self, model: &Model, time: f64, step: f64) {
+        self.flux.fill(0.0);
+        if let (Some(patches), Some(laser)) = (&mut self.patches, &model.laser) {
+            let surface = matches!(laser.absorption(), laser_source::Absorption::Surface { .. });
+            if surface && step > 0.0 {
+                let per_area = 1.0 / self.spacing.powi(2);
+                patches.accumulate(laser, time - END_OF_STEP * step, time, per_area, &mut self.flux);
+            }
+        }
+        let layer = self.surface_len();
+        let (z1, z2) = (0.5 * self.spacing, 1.5 * self.spacing);
+        for column in 0..layer {
+            let first = self.now.nodes[column];
+            let second = if self.counts[2] > 1 { self.now.nodes[layer + column] } else { first };
+            self.now.surface[column] = surface_potential((z1, first), (z2, second), self.flux[column]);
+        }
+    }
+
+    fn surface_len(&self) -> usize {
+        self.counts[0] * self.counts[1]
+    }
+
+    /// Highest potential of the top face, with the parabolas through its neighbours along x and y.
+    fn surface_peak(&self) -> f64 {
+        let surface = &self.now.surface;
+        let Some(at) = (0..surface.len()).max_by(|&a, &b| surface[a].total_cmp(&surface[b])) else { return 0.0 };
+        let nx = self.counts[0];
+        let place = [at % nx, at / nx];
+        let stride = [1, nx];
+        let rise = |axis: usize| {
+            let [low, high] = self.mirror[axis];
+            let before = if place[axis] > 0 { Some(surface[at - stride[axis]]) } else { low.then_some(surface[at]) };
+            let last = place[axis] + 1 == self.counts[axis];
+            let after = if last { high.then_some(surface[at]) } else { Some(surface[at + stride[axis]]) };
+            match (before, after) {
+                (Some(before), Some(after)) => rise_above_middle(before, surface[at], after),
+                _ => 0.0,
+            }
+        };
+        surface[at] + rise(0) + rise(1)
+    }
+
+    fn extent(&self, grid: &Grid, level: f64) -> Extent {
+        if !grid.surface.iter().chain(&grid.nodes).any(|&theta| theta > level) {
+            return Extent::default();
+        }
+        let [nx, ny, _] = self.counts;
+        let along_x: Vec<_> = (0..ny).map(|j| self.span(grid, level, 0, j)).collect();
+        let along_y: Vec<_> = (0..nx).map(|i| self.span(grid, level, 1, i)).collect();
+        let depths = self.depths(grid, level);
+        let by_row: Vec<f64> = (0..ny)
+            .map(|j| smooth_maximum(&depths[j * nx..(j + 1) * nx], self.mirror[0]))
+            .collect();
+        let depth = smooth_maximum(&by_row, self.mirror[1]).min(self.counts[2] as f64 * self.spacing);
+        let size = |spans: &[Option<[f64; 2]>], axis: usize, across: usize| {
+            let lengths: Vec<f64> = spans.iter().map(|span| span.map_or(0.0, |s| self.whole(s, axis))).collect();
+            smooth_maximum(&lengths, self.mirror[across])
+        };
+        let ends = |spans: &[Option<[f64; 2]>]| {
+            let low = spans.iter().flatten().map(|s| s[0]).fold(f64::INFINITY, f64::min);
+            let high = spans.iter().flatten().map(|s| s[1]).fold(f64::NEG_INFINITY, f64::max);
+            [low, high]
+        };
+        let ([x0, x1], [y0, y1]) = (ends(&along_x), ends(&along_y));
+        let bounds = (x0 < x1 && y0 < y1).then_some([[x0, y0, -depth], [x1, y1, 0.0]]);
+        Extent { width: size(&along_y, 1, 0), length: size(&along_x, 0, 1), depth, bounds }
+    }
+
+    /// Length of a span with its mirror image where it touches a symmetry plane.
+    fn whole(&self, [low, high]: [f64; 2], axis: usize) -> f64 {
+        let low_end = self.low[axis];
+        let high_end = low_end + self.spacing * self.counts[axis] as f64;
+        let touches = |mirror: bool, gap: f64| mirror && gap < 1e-9 * self.spacing;
+        let doubled = touches(self.mirror[axis][0], low - low_end) || touches(self.mirror[axis][1], high_end - high);
+        if doubled { 2.0 * (high - low) } else { high - low }
+    }
+
+    /// From the first to the last crossing of the top face's row along `axis`, `row` counting across it.
+    fn span(&self, grid: &Grid, level: f64, axis: usize, row: usize) -> Option<[f64; 2]> {
+        let nx = self.counts[0];
+        let count = self.counts[axis];
+        let at = |k: usize| if axis == 0 { row * nx + k } else { k * nx + row };
+        let x = |k: usize| self.low[axis] + self.spacing * (k as f64 + 0.5);
+        let first = (0..count).find(|&k| grid.surface[at(k)] > level)?;
+        let last = (0..count).rfind(|&k| grid.surface[at(k)] > level)?;
+        let node = |k: usize| (x(k), grid.surface[at(k)]);
+        let low = if first == 0 {
+            self.low[axis]
+        } else {
+            // Read backwards: from the hot node out.
+            let nodes: Vec<_> = (first.saturating_sub(2)..=(first + 1).min(count - 1)).rev().map(node).collect();
+            let inside = nodes.iter().position(|n| n.0 == x(first)).expect("the node is in its own neighbourhood");
+            crossing(&nodes, inside, level)
+        };
+        let high = if last + 1 == count {
+            self.low[axis] + self.spacing * count as f64
+        } else {
+            let start = last.saturating_sub(1);
+            let nodes: Vec<_> = (start..(last + 3).min(count)).map(node).collect();
+            crossing(&nodes, last - start, level)
+        };
+        Some([low, high])
+    }
+
+    /// Depth below the top face to which each column is above `level` \[m\]; zero where it is not.
+    fn depths(&self, grid: &Grid, level: f64) -> Vec<f64> {
+        let (layer, nz) = (self.surface_len(), self.counts[2]);
+        let depth = |column: usize| {
+            let value = |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
+            let z = |k: usize| if k == 0 { 0.0 } else { self.spacing * (k as f64 - 0.5) };
+            let Some(last) = (0..=nz).rfind(|&k| value(k) > level) else { return 0.0 };
+            if last == nz {
+                return nz as f64 * self.spacing;
+            }
+            let start = last.saturating_sub(1);
+            let nodes: Vec<_> = (start..(last + 3).min(nz + 1)).map(|k| (z(k), value(k))).collect();
+            crossing(&nodes, last - start, level)
+        };
+        (0..layer).map(depth).collect()
+    }
+
+    /// Whether a region reaches an edge of the grid that is no face of the part.
+    fn at_edge(&self, extent: &Extent) -> bool {
+        let Some([low, high]) = extent.bounds else { return false };
+        let lateral = (0..2).any(|axis| {
+            let end = self.low[axis] + self.spacing * self.counts[axis] as f64;
+            (low[axis] <= self.low[axis] + self.spacing && !self.face[axis][0])
+                || (high[axis] >= end - self.spacing && !self.face[axis][1])
+        });
+        let bottom = self.spacing * (self.counts[2] as f64 - 1.0);
+        lateral || (extent.depth >= bottom && !self.face[2][1])
+    }
+
+    fn melt_volume(&self, model: &Model, particles: &Particles<3>) -> f64 {
+        let share = |i: usize| {
+            let curve = &model.curves[particles.material[i] as usize];
+            particles.volume[i] * curve.liquid_fraction(particles.enthalpy[i])
+        };
+        self.copies * (0..particles.len()).map(share).sum::<f64>()
+    }
+}
+
+fn keep_largest(peak: &mut [f64], now: &[f64]) {
+    peak.iter_mut().zip(now).for_each(|(peak, now)| *peak = peak.max(*now));
+}
+
+fn over_solidus(model: &Model, particles: &Particles<3>) -> f64 {
+    let over = |i: usize| particles.enthalpy[i] - model.curves[particles.material[i] as usize].enthalpy_solidus();
+    (0..particles.len()).map(over).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Squares of the top face above the columns of the grid.
+fn columns(counts: [usize; 3], low: [f64; 2], spacing: f64) -> Result<SurfacePatches, ModelError> {
+    let [nx, ny, _] = counts;
+    let at = |n: usize, axis: usize| if axis == 0 { n % nx } else { n / nx };
+    let column = |axis: usize| -> Vec<f64> {
+        (0..nx * ny).map(|n| low[axis] + spacing * (at(n, axis) as f64 + 0.5)).collect()
+    };
+    Ok(SurfacePatches::new(&column(0), &column(1), &vec![0.5 * spacing; nx * ny])?)
+}

@@ -1,0 +1,110 @@
+//! Values at the nodes of the finest grid, from particles that may not stand there.
+//!
+//! Particles on their lattice are the nodes. Disordered ones are read by moving least squares with full quadratics
+//! (Lancaster and Salkauskas 1981), images included, so that a field that is quadratic near a node is read exactly; the
+//! weights of particles at rest are computed once.
+
+use crate::build::{Workpiece, planes};
+use crate::case::scene::Faces;
+use nalgebra::{SMatrix, SVector, Vector3};
+use sph_neighbors::{PairReach, SearchMethod};
+use sph_thermal::conduction::Images;
+
+/// Radius within which particles speak for a node, in spacings.
+const RADIUS: f64 = 2.3;
+
+/// How the nodes of the finest grid are read off the particles.
+pub enum Sampler {
+    /// Node n is particle `[n]`.
+    Lattice(Vec<u32>),
+    /// Node n is a weighted sum over the particles of its row.
+    Scattered {
+        /// Start of each node's row.
+        starts: Vec<usize>,
+        /// Particle and weight.
+        entries: Vec<(u32, f64)>,
+    },
+}
+
+impl Sampler {
+    /// The sampler of the finest grid of `workpiece`.
+    pub fn new(workpiece: &Workpiece, faces: &Faces) -> Self {
+        if workpiece.disorder == 0.0 {
+            return Self::Lattice(workpiece.finest_particles.clone());
+        }
+        scattered(workpiece, faces)
+    }
+
+    /// Reads `field(particle)` at all nodes.
+    pub fn read(&self, field: impl Fn(usize) -> f64, nodes: &mut [f64]) {
+        match self {
+            Self::Lattice(particles) => {
+                nodes.iter_mut().zip(particles).for_each(|(node, &particle)| *node = field(particle as usize));
+            }
+            Self::Scattered { starts, entries } => {
+                for (node, range) in nodes.iter_mut().zip(starts.windows(2)) {
+                    *node = entries[range[0]..range[1]].iter().map(|&(i, w)| w * field(i as usize)).sum();
+                }
+            }
+        }
+    }
+}
+
+fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {
+    let particles = &workpiece.particles;
+    let radius = RADIUS * workpiece.spacing;
+    let reach = vec![2.0 * radius; particles.len()];
+    let images = Images::new(&particles.position, &reach, &planes(workpiece.low, workpiece.high, faces));
+    let [nx, ny, nz] = workpiece.finest.counts();
+    let node = |n: usize| {
+        let at = [n % nx, n / nx % ny, n / nx / ny];
+        let x = |axis: usize| (workpiece.finest.low[axis] as f64 + at[axis] as f64 + 0.5) * workpiece.spacing;
+        Vector3::new(workpiece.low[0] + x(0), workpiece.low[1] + x(1), -x(2))
+    };
+    let count = nx * ny * nz;
+    let mut everything: Vec<_> = (0..count).map(node).collect();
+    everything.extend(particles.position.iter().chain(&images.position));
+    let list = SearchMethod::default().find(&everything, PairReach::Uniform(radius));
+    let list = list.expect("positions of a built workpiece are finite");
+    let source = |k: usize| if k < particles.len() { k as u32 } else { images.source[k - particles.len()] };
+    let (mut starts, mut entries) = (vec![0], Vec::new());
+    for n in 0..count {
+        let near: Vec<usize> = list.row(n).iter().map(|&k| k as usize).filter(|&k| k >= count).collect();
+        let offsets: Vec<_> = near.iter().map(|&k| (everything[k] - everything[n]) / radius).collect();
+        entries.extend(near.iter().zip(weights(&offsets)).map(|(&k, w)| (source(k - count), w)));
+        starts.push(entries.len());
+    }
+    Sampler::Scattered { starts, entries }
+}
+
+/// Moving-least-squares weights at the origin of points at `offsets` (in radii).
+fn weights(offsets: &[Vector3<f64>]) -> Vec<f64> {
+    let basis = |r: &Vector3<f64>| {
+        SVector::<f64, 10>::from([
+            1.0, r.x, r.y, r.z, r.x * r.x, r.y * r.y, r.z * r.z, r.x * r.y, r.y * r.z, r.z * r.x,
+        ])
+    };
+    let weight = |r: &Vector3<f64>| (1.0 - r.norm()).max(0.0).powi(4) * (1.0 + 4.0 * r.norm()) + 1e-9;
+    let mut moments = SMatrix::<f64, 10, 10>::zeros();
+    for r in offsets {
+        moments += weight(r) * basis(r) * basis(r).transpose();
+    }
+    let value = SVector::<f64, 10>::from_fn(|row, _| if row == 0 { 1.0 } else { 0.0 });
+    let solved = moments.lu().solve(&value).unwrap_or(SVector::zeros());
+    offsets.iter().map(|r| weight(r) * solved.dot(&basis(r))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quadratics_are_read_exactly_from_scattered_points() {
+        let noise = |n: u32| ((f64::from(n) * 12.9898).sin() * 43758.5453).rem_euclid(2.0) - 1.0;
+        let offsets: Vec<_> =
+            (0..40).map(|n| 0.55 * Vector3::new(noise(3 * n), noise(3 * n + 1), noise(3 * n + 2))).collect();
+        let field = |r: &Vector3<f64>| 2.0 + r.x - 3.0 * r.y + r.z * r.x + 0.5 * r.y * r.y - r.z * r.z;
+        let read: f64 = offsets.iter().zip(weights(&offsets)).map(|(r, w)| w * field(r)).sum();
+        assert!((read - 2.0).abs() < 1e-9, "{read}");
+    }
+}

@@ -1,0 +1,9 @@
+//! Sizes of pool and weld, read off isotherms between particles.
+
+mod gauge;
+mod interpolate;
+mod isotherm;
+
+pub use gauge::{Gauge, Measure};
+pub use interpolate::Sampler;
+pub use isotherm::Extent;

@@ -1,0 +1,110 @@
+//! The energy ledger: what came in, where it is, what is missing.
+
+use crate::model::Model;
+use crate::particles::Particles;
+use crate::physics::Exchange;
+
+/// A residual above this share of the energy that was turned over fails the run's audit.
+pub const LARGEST_RESIDUAL: f64 = 1e-10;
+
+/// Energies of the whole part, mirror images counted \[J\].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Ledger {
+    /// Light sent out by the laser.
+    pub emitted: f64,
+    /// Light absorbed.
+    pub absorbed: f64,
+    /// Light reflected.
+    pub reflected: f64,
+    /// Light that missed the part.
+    pub missed: f64,
+    /// Heat lost through faces.
+    pub lost: f64,
+    /// Stored heat beyond the start, without the latent part.
+    pub sensible: f64,
+    /// Stored latent heat beyond the start.
+    pub latent: f64,
+    /// (absorbed - lost - stored) over the energy turned over.
+    pub residual: f64,
+}
+
+impl Ledger {
+    /// Adds up the ledger; `copies` is the number of mirror images that make the whole part.
+    pub fn new(model: &Model, particles: &Particles<3>, exchange: &Exchange, copies: f64) -> Self {
+        let stored = pairwise(particles.len(), &|i| {
+            particles.mass[i] * (particles.enthalpy[i] - particles.start_enthalpy[i])
+        });
+        let latent = pairwise(particles.len(), &|i| {
+            let curve = &model.curves[particles.material[i] as usize];
+            let latent_heat = model.materials[particles.material[i] as usize].latent_heat;
+            let fraction = |h: f64| curve.liquid_fraction(h);
+            let melted = fraction(particles.enthalpy[i]) - fraction(particles.start_enthalpy[i]);
+            particles.mass[i] * latent_heat * melted
+        });
+        let moved = pairwise(particles.len(), &|i| {
+            particles.mass[i] * (particles.enthalpy[i] - particles.start_enthalpy[i]).abs()
+        });
+        let turned_over = moved.max(exchange.absorbed).max(exchange.lost.abs());
+        let missing = exchange.absorbed - exchange.lost - stored;
+        Self {
+            emitted: copies * exchange.emitted,
+            absorbed: copies * exchange.absorbed,
+            reflected: copies * exchange.reflected,
+            missed: copies * exchange.missed,
+            lost: copies * exchange.lost,
+            sensible: copies * (stored - latent),
+            latent: copies * latent,
+            residual: if turned_over > 0.0 { missing / turned_over } else { missing },
+        }
+    }
+
+    /// What is wrong with it, if anything: energy that is missing, or light that went nowhere.
+    pub fn fault(&self) -> Option<String> {
+        let light = self.emitted - self.absorbed - self.reflected - self.missed;
+        if self.residual.is_nan() || self.residual.abs() > LARGEST_RESIDUAL {
+            return Some(format!(
+                "the energy ledger is open by {:.2e} of the energy turned over; accepted: {LARGEST_RESIDUAL:.0e}",
+                self.residual
+            ));
+        }
+        if light.is_nan() || light.abs() > 1e-6 * self.emitted.abs() {
+            return Some(format!(
+                "of {:.6} J emitted, {:.6} J absorbed, {:.6} J reflected and {:.6} J missed leave {light:.2e} J",
+                self.emitted, self.absorbed, self.reflected, self.missed
+            ));
+        }
+        None
+    }
+}
+
+/// Sum of `term(i)` over `0..count` by halves: the round-off grows with the logarithm of the count.
+fn pairwise(count: usize, term: &dyn Fn(usize) -> f64) -> f64 {
+    fn half(range: std::ops::Range<usize>, term: &dyn Fn(usize) -> f64) -> f64 {
+        if range.len() <= 64 {
+            return range.map(term).sum();
+        }
+        let middle = range.start + range.len() / 2;
+        half(range.start..middle, term) + half(middle..range.end, term)
+    }
+    half(0..count, term)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairwise_sums_lose_almost_nothing() {
+        let sum = pairwise(1_000_000, &|i| if i == 0 { 1e16 } else { 1.0 });
+        assert!((sum - 1e16 - 999_999.0).abs() <= 64.0, "{}", sum - 1e16);
+    }
+
+    #[test]
+    fn an_open_ledger_and_lost_light_are_faults() {
+        let closed = Ledger { emitted: 10.0, absorbed: 4.0, reflected: 5.0, missed: 1.0, ..Ledger::default() };
+        assert_eq!(closed.fault(), None);
+        assert!(Ledger { residual: 2e-10, ..closed }.fault().unwrap().contains("ledger"));
+        assert!(Ledger { residual: f64::NAN, ..closed }.fault().is_some());
+        assert!(Ledger { missed: 0.9, ..closed }.fault().unwrap().contains("missed"));
+    }
+}

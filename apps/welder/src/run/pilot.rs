@@ -1,0 +1,88 @@
+//! Where to be fine: a coarse run of the scene itself finds out how large the pool gets.
+
+use super::Simulation;
+use crate::build::{CellBox, LevelPlan, fine_box_around, largest_melt_radius, lit_box};
+use crate::case::scene::{Levels, Resolution};
+use crate::model::{Model, ModelError};
+
+/// Beam radii (1/e) to a spacing of the pilot.
+const PILOT_BEAM_RADII: f64 = 3.0;
+
+/// A pilot is worth its cost only if it is this many times coarser than the run.
+const SMALLEST_COARSENING: i64 = 2;
+
+/// The levels of spacing of a scene.
+///
+/// `grown` \[m\] is added to the fine box on all sides when an earlier one turned out too small.
+///
+/// # Errors
+/// [`ModelError`] when the pilot cannot be built.
+pub fn level_plan(model: &Model, grown: f64) -> Result<LevelPlan<3>, ModelError> {
+    let counts = model.counts();
+    match model.resolution.levels {
+        Levels::Uniform => Ok(LevelPlan::uniform(counts)),
+        Levels::FineBox { low_m, high_m } => Ok(LevelPlan::around(counts, explicit_box(model, low_m, high_m))),
+        Levels::Auto if model.laser.is_none() => Ok(LevelPlan::uniform(counts)),
+        Levels::Auto => {
+            let [low, high] = pool_bounds(model)?;
+            let low = low.map(|x| x - grown);
+            let high = high.map(|x| x + grown);
+            Ok(LevelPlan::around(counts, fine_box_around(model, low, high)))
+        }
+    }
+}
+
+/// The box that the pool and the lit path cover over the whole run \[m\].
+fn pool_bounds(model: &Model) -> Result<[[f64; 3]; 2], ModelError> {
+    let lit = lit_box(model);
+    let Some(pilot) = pilot_model(model) else {
+        return Ok(widened(lit, largest_melt_radius(model)));
+    };
+    let fine = widened(lit_box(&pilot), largest_melt_radius(&pilot));
+    let plan = LevelPlan::around(pilot.counts(), fine_box_around(&pilot, fine[0], fine[1]));
+    let mut simulation = Simulation::with_plan(pilot, &plan)?;
+    // A pilot that fails says nothing; the upper bound is right without it.
+    if simulation.run_quietly().is_err() {
+        return Ok(widened(lit, largest_melt_radius(model)));
+    }
+    let pool = simulation.records().solidus.bounds;
+    let half = 0.5 * simulation.model().spacing();
+    Ok(match pool {
+        None => lit,
+        Some([low, high]) => [
+            std::array::from_fn(|axis| lit[0][axis].min(low[axis] - half)),
+            std::array::from_fn(|axis| lit[1][axis].max(high[axis] + half)),
+        ],
+    })
+}
+
+fn widened([low, high]: [[f64; 3]; 2], by: f64) -> [[f64; 3]; 2] {
+    [low.map(|x| x - by), high.map(|x| x + by)]
+}
+
+/// The same scene with a coarser spacing, on a part cut down to whole coarse cells; `None` where that is no gain.
+fn pilot_model(model: &Model) -> Option<Model> {
+    let radius = model.laser.as_ref()?.beam().radius_m();
+    let thinnest = model.counts().into_iter().min()?;
+    let factor = (radius / PILOT_BEAM_RADII / model.spacing()).round() as i64;
+    let factor = factor.min(thinnest / 2);
+    if factor < SMALLEST_COARSENING {
+        return None;
+    }
+    let mut pilot = model.clone();
+    let spacing = model.spacing() * factor as f64;
+    pilot.resolution = Resolution { spacing_m: spacing, disorder: 0.0, levels: Levels::Auto, ..model.resolution };
+    pilot.size = model.counts().map(|count| (count / factor) as f64 * spacing);
+    Some(pilot)
+}
+
+/// A box of the scene in cells; the third axis counts down from the top face.
+fn explicit_box(model: &Model, low: [f64; 3], high: [f64; 3]) -> CellBox<3> {
+    let (part, counts) = (model.bounds().0, model.counts());
+    let cell = |x: f64, axis: usize| (((x - part[axis]) / model.spacing()).round() as i64).clamp(0, counts[axis]);
+    let down = |z: f64| ((-z / model.spacing()).round() as i64).clamp(0, counts[2]);
+    CellBox {
+        low: [cell(low[0], 0), cell(low[1], 1), down(high[2])],
+        high: [cell(high[0], 0), cell(high[1], 1), down(low[2])],
+    }
+}

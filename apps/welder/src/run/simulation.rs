@@ -1,0 +1,207 @@
+//! A simulation: particles, physics and gauge, advanced step by step.
+
+use super::{Ledger, level_plan};
+use crate::build::{LevelPlan, Workpiece};
+use crate::measure::{Extent, Gauge, Measure};
+use crate::model::{Model, ModelError};
+use crate::particles::Particles;
+use crate::physics::{Cost, Exchange, Failure, Physics, heat::Heat};
+use serde::{Deserialize, Serialize};
+use sph_integrate::{LimitCounter, StepLimit, smallest};
+
+/// Largest and last of what was measured over a run.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Records {
+    /// Largest extents above the liquidus.
+    pub liquidus: Extent,
+    /// Largest extents above the solidus.
+    pub solidus: Extent,
+    /// Highest temperature of the top face \[K\].
+    pub peak_temperature: f64,
+    /// When the last melt froze \[s\].
+    pub solidified_at: Option<f64>,
+    /// The last measure.
+    pub now: Measure,
+}
+
+/// What one step did.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepReport {
+    /// Its length \[s\].
+    pub step: f64,
+    /// What limited it.
+    pub limit: &'static str,
+}
+
+/// A model on particles, at some time.
+pub struct Simulation {
+    model: Model,
+    workpiece: Workpiece,
+    physics: Vec<Box<dyn Physics<3>>>,
+    gauge: Gauge,
+    time: f64,
+    steps: u64,
+    limits: LimitCounter,
+    records: Records,
+}
+
+/// What a checkpoint holds besides the enthalpy columns.
+#[derive(Serialize, Deserialize)]
+pub struct SavedState {
+    physics: Vec<Vec<u8>>,
+    gauge: (Vec<f64>, Vec<f64>),
+    limits: Vec<(String, u64)>,
+    extents: [[f64; 3]; 2],
+    bounds: [Option<[[f64; 3]; 2]>; 2],
+    peak_temperature: f64,
+    solidified_at: Option<f64>,
+    last_step: f64,
+}
+
+impl Simulation {
+    /// Builds the particles and physics of a model.
+    ///
+    /// # Errors
+    /// [`ModelError`] when a crate refuses what the case asks for.
+    pub fn new(model: Model) -> Result<Self, ModelError> {
+        let plan = level_plan(&model, 0.0)?;
+        Self::with_plan(model, &plan)
+    }
+
+    /// The same on given levels of spacing.
+    ///
+    /// # Errors
+    /// [`ModelError`] when a crate refuses what the case asks for.
+    pub fn with_plan(model: Model, plan: &LevelPlan<3>) -> Result<Self, ModelError> {
+        let workpiece = Workpiece::new(&model, plan);
+        let physics: Vec<Box<dyn Physics<3>>> = vec![Box::new(Heat::new(&model, &workpiece)?)];
+        let mut gauge = Gauge::new(&model, &workpiece)?;
+        let now = gauge.measure(&model, &workpiece.particles, 0.0, 0.0);
+        let records = Records { peak_temperature: now.peak_temperature, now, ..Records::default() };
+        let limits = LimitCounter::new();
+        Ok(Self { model, workpiece, physics, gauge, time: 0.0, steps: 0, limits, records })
+    }
+
+    /// Advances by one step that does not pass `stop` \[s\].
+    ///
+    /// # Errors
+    /// [`Failure`] of the physics that cannot go on.
+    pub fn step(&mut self, stop: f64) -> Result<StepReport, Failure> {
+        let event = self.physics.iter().filter_map(|physics| physics.next_event(self.time)).fold(stop, f64::min);
+        let limit = smallest(self.physics.iter().map(|physics| physics.step_limit(self.time)));
+        let (wanted, limit) = self.fit(limit, event);
+        let mut taken = wanted;
+        for physics in &mut self.physics {
+            taken = physics.advance(&mut self.workpiece.particles, self.time, taken)?;
+        }
+        let start = self.time;
+        self.time = if taken == wanted && wanted == event - start { event } else { start + taken };
+        self.steps += 1;
+        self.limits.record(&limit);
+        self.record(start, taken);
+        Ok(StepReport { step: taken, limit: limit.name })
+    }
+
+    /// Cuts a step to end on `event`, or halves what is left so that no sliver remains.
+    fn fit(&self, limit: StepLimit, event: f64) -> (f64, StepLimit) {
+        let left = event - self.time;
+        if limit.dt_s >= left {
+            (left, StepLimit { name: "event", dt_s: left })
+        } else if limit.dt_s > 0.5 * left {
+            (0.5 * left, limit)
+        } else {
+            (limit.dt_s, limit)
+        }
+    }
+
+    fn record(&mut self, start: f64, step: f64) {
+        let before = self.records.now.over_solidus;
+        let now = self.gauge.measure(&self.model, &self.workpiece.particles, self.time, step);
+        let records = &mut self.records;
+        if before > 0.0 && now.over_solidus <= 0.0 {
+            records.solidified_at = Some(start + step * before / (before - now.over_solidus));
+        } else if now.over_solidus > 0.0 {
+            records.solidified_at = None;
+        }
+        records.liquidus = records.liquidus.max(&now.liquidus);
+        records.solidus = records.solidus.max(&now.solidus);
+        records.peak_temperature = records.peak_temperature.max(now.peak_temperature);
+        records.now = now;
+    }
+
+    /// Whether there is nothing left to do.
+    pub fn finished(&self) -> bool {
+        let dark = self.model.laser.as_ref().is_none_or(|laser| self.time >= laser.track().end_time());
+        let frozen = self.model.stop_when_solid && dark && self.records.now.over_solidus <= 0.0;
+        self.time >= self.model.end || frozen
+    }
+
+    /// Runs to the end without anyone watching.
+    ///
+    /// # Errors
+    /// [`Failure`] of the physics that cannot go on.
+    pub fn run_quietly(&mut self) -> Result<(), Failure> {
+        while !self.finished() {
+            self.step(self.model.end)?;
+        }
+        Ok(())
+    }
+
+    /// The model.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The workpiece.
+    pub fn workpiece(&self) -> &Workpiece {
+        &self.workpiece
+    }
+
+    /// The particles.
+    pub fn particles(&self) -> &Particles<3> {
+        &self.workpiece.particles
+    }
+
+    /// The gauge.
+    pub fn gauge(&self) -> &Gauge {
+        &self.gauge
+    }
+
+    /// What was measured.
+    pub fn records(&self) -> &Records {
+        &self.records
+    }
+
+    /// Time \[s\].
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Steps taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// How often each limit ruled.
+    pub fn limits(&self) -> &LimitCounter {
+        &self.limits
+    }
+
+    /// What the physics have cost.
+    pub fn cost(&self) -> Cost {
+        let mut total = Cost::default();
+        for cost in self.physics.iter().map(|physics| physics.cost()) {
+            total.sweeps += cost.sweeps;
+            total.pair_visits += cost.pair_visits;
+            total.rejected_steps += cost.rejected_steps;
+        }
+        total
+    }
+
+    /// The energy ledger now.
+    pub fn ledger(&self) -> Ledger {
+        let mut exchange = Exchange::default();
+        self.physics.iter().for_each(|physics| exchange.add(&physics.energy()));
+        Ledger::new(&self.model, &self.workpiece.particles, &exchange, self.gauge.copies())
+    }
+}
