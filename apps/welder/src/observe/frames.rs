@@ -104,23 +104,17 @@ fn index_of(path: &Path) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::observe::{HistoryRow, Values};
+    use crate::observe::Values;
     use nalgebra::Vector3;
 
     const POSITIONS_M: [Vector3<f64>; 2] = [Vector3::new(0.0, 0.0, 0.0), Vector3::new(1.0, 0.0, 0.0)];
 
     fn view<'a>(time_s: f64, step: u64, temperatures_k: &'a [f64]) -> View<'a, 3> {
         View {
-            time_s,
-            end_s: 1.0,
-            step,
-            dt_s: 0.1,
-            dt_limit: "conduction",
             positions_m: &POSITIONS_M,
             spacing_m: &[1.0, 1.0],
             fields: vec![Field { name: "temperature_k", values: Values::Scalar(temperatures_k) }],
-            history: HistoryRow::default(),
-            pictures: None,
+            ..View::bare(time_s, step)
         }
     }
 

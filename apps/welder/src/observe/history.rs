@@ -167,18 +167,7 @@ mod tests {
             dt_limit: "conduction, explicit".into(),
             ..HistoryRow::default()
         };
-        View {
-            time_s,
-            end_s: END_S,
-            step,
-            dt_s: STEP_S,
-            dt_limit: "conduction",
-            positions_m: &[],
-            spacing_m: &[],
-            fields: Vec::new(),
-            history,
-            pictures: None,
-        }
+        View { history, ..View::bare(time_s, step) }
     }
 
     #[test]

@@ -3,29 +3,42 @@
 //! Observers stand outside the physics. The run loop hands them a [`View`] of the particles; they never reach
 //! into the state and never change it, so a run gives the same bits whoever watches.
 
+mod canvas;
 pub mod checkpoint;
 pub mod checkpoint_error;
 pub mod checkpoint_format;
+mod colour_field;
+pub mod contour;
+pub mod dossier;
+pub mod error;
 pub mod frame_list;
 pub mod frames;
 pub mod history;
+pub mod history_picture;
+mod labels;
 pub mod machine;
 pub mod picture_data;
+pub mod pictures;
+pub mod progress;
 pub mod schedule;
+pub mod section_picture;
 pub mod summary;
 pub mod vtu;
 pub mod whole_file;
 
 use nalgebra::SVector;
-use std::path::{Path, PathBuf};
 
 pub use checkpoint::{CheckpointFolder, Found};
 pub use checkpoint_error::CheckpointError;
 pub use checkpoint_format::{Checkpoint, case_digest};
+pub use dossier::{Failure, write_dossier};
+pub use error::ObserveError;
 pub use frames::FrameWriter;
 pub use history::{HistoryRow, HistoryWriter, read_history};
 pub use machine::{Machine, peak_memory_bytes, process_cpu_s};
 pub use picture_data::{Pictures, SectionGrid};
+pub use pictures::PictureWriter;
+pub use progress::Progress;
 pub use schedule::Schedule;
 pub use summary::{Energy, Pool, PoolSize, Status, Summary, Weld};
 pub use vtu::Precision;
@@ -142,69 +155,21 @@ pub trait Observer<const D: usize> {
     fn finish(&mut self, view: &View<D>) -> Result<(), ObserveError>;
 }
 
-/// Why an output could not be made.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ObserveError {
-    /// The file system refused.
-    #[error("cannot {action} {}: {source}", path.display())]
-    File {
-        /// What was tried.
-        action: &'static str,
-        /// On which file or folder.
-        path: PathBuf,
-        /// What the system said.
-        source: std::io::Error,
-    },
-    /// A table could not be written or read.
-    #[error("the table {} cannot be used: {source}", path.display())]
-    Table {
-        /// The table.
-        path: PathBuf,
-        /// What the library said.
-        source: csv::Error,
-    },
-    /// A value could not be turned into JSON.
-    #[error("cannot encode {}: {source}", path.display())]
-    Json {
-        /// The file that was to be written.
-        path: PathBuf,
-        /// What the library said.
-        source: serde_json::Error,
-    },
-    /// The scene asks for a field that this run does not have.
-    #[error("the frames ask for the field `{name}`, which this run does not have; it has: {known}")]
-    UnknownField {
-        /// The name asked for.
-        name: String,
-        /// The names there are.
-        known: String,
-    },
-    /// A list of frames could not be read back.
-    #[error("the list of frames {} cannot be continued: {reason}", path.display())]
-    FrameList {
-        /// The list.
-        path: PathBuf,
-        /// What is wrong with it.
-        reason: String,
-    },
-    /// A picture could not be drawn.
-    #[error("cannot draw {}: {reason}", path.display())]
-    Picture {
-        /// The picture.
-        path: PathBuf,
-        /// What the library said.
-        reason: String,
-    },
-    /// A checkpoint could not be written or read.
-    #[error(transparent)]
-    Checkpoint(#[from] CheckpointError),
-}
-
-impl ObserveError {
-    /// An error of the file system, for use with `map_err`.
-    pub fn file(action: &'static str, path: &Path) -> impl FnOnce(std::io::Error) -> ObserveError {
-        let path = path.to_path_buf();
-        move |source| ObserveError::File { action, path, source }
+#[cfg(test)]
+impl<const D: usize> View<'static, D> {
+    /// A view without particles, to build the views of tests on.
+    pub(crate) fn bare(time_s: f64, step: u64) -> Self {
+        View {
+            time_s,
+            end_s: 1.0,
+            step,
+            dt_s: 0.1,
+            dt_limit: "conduction",
+            positions_m: &[],
+            spacing_m: &[],
+            fields: Vec::new(),
+            history: HistoryRow::default(),
+            pictures: None,
+        }
     }
 }

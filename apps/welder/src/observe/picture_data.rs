@@ -25,3 +25,25 @@ pub struct Pictures {
     /// Sections, each with the name of its file without ending; a name met again replaces the picture.
     pub sections: Vec<(String, SectionGrid)>,
 }
+
+#[cfg(test)]
+impl SectionGrid {
+    /// A hot spot in the middle of the upper edge, from 293 K to 1493 K.
+    pub(crate) fn example() -> Self {
+        let (x_m, y_m): (Vec<f64>, Vec<f64>) = (
+            (0..81).map(|index| (index as f64 - 40.0) * 25e-6).collect(),
+            (0..41).map(|index| (index as f64 - 40.0) * 25e-6).collect(),
+        );
+        let value = |x: f64, y: f64| 293.0 + 1200.0 * (-(x * x + 1.6 * y * y) / 2.5e-7).exp();
+        let temperature_k = y_m.iter().flat_map(|&y| x_m.iter().map(move |&x| value(x, y))).collect();
+        SectionGrid {
+            title: "Section through the beam, t = 5 ms".into(),
+            x_label: "across the beam x",
+            y_label: "height z",
+            x_m,
+            y_m,
+            temperature_k,
+            isotherms_k: vec![(933.0, "liquidus"), (873.0, "solidus")],
+        }
+    }
+}
