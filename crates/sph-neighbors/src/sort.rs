@@ -60,7 +60,7 @@ impl Permutation {
 ///
 /// On the Morton (Z) curve, every cube of 2^k cells a side is one contiguous range, for every k at once: the neighbours of a
 /// particle fit each size of cache, and blocks for blocked sweeps are ranges. Rows with x fastest would keep only neighbours in
-/// x near. A cell about as large as the kernel's support, or smaller, does well.
+/// x near.
 ///
 /// # Errors
 /// Positions that are not finite, a cell size that is not positive, too many particles.
