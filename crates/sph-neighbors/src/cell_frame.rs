@@ -5,12 +5,28 @@ use nalgebra::SVector;
 /// Cells along one axis at most, so that cell numbers of three axes fit into 128 bits.
 const MOST_CELLS_PER_AXIS: f64 = (1_u64 << 40) as f64;
 
+/// What a distance in units of cells may be wrong by: coordinates count to 2^40 at most, and round-off is 2^-52 of that.
+const ROUND_OFF_IN_CELLS: f64 = 1e-3;
+
 /// A box of equal cells around a point set.
 #[derive(Clone, Debug)]
 pub(crate) struct CellFrame<const D: usize> {
     origin: SVector<f64, D>,
     inverse_size: SVector<f64, D>,
+    size: SVector<f64, D>,
     counts: [u64; D],
+    strides: [u128; D],
+}
+
+/// The cells that a ball may touch.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CellRange<const D: usize> {
+    /// First cell on each axis.
+    pub first: [u64; D],
+    /// Last cell on each axis, included.
+    pub last: [u64; D],
+    /// The centre in units of cells.
+    center: SVector<f64, D>,
 }
 
 impl<const D: usize> CellFrame<D> {
@@ -25,7 +41,9 @@ impl<const D: usize> CellFrame<D> {
         let extent = high - low;
         let inverse_size = extent.map(|length| (1.0 / size).min(MOST_CELLS_PER_AXIS / length));
         let counts = std::array::from_fn(|axis| (extent[axis] * inverse_size[axis]) as u64 + 1);
-        Self { origin: low, inverse_size, counts }
+        let strides =
+            std::array::from_fn(|axis| counts[..axis].iter().map(|&count: &u64| u128::from(count)).product());
+        Self { origin: low, inverse_size, size: inverse_size.map(f64::recip), counts, strides }
     }
 
     /// Number of cells.
@@ -42,25 +60,29 @@ impl<const D: usize> CellFrame<D> {
     /// The number of the cell that holds a point inside the box; x runs fastest.
     #[inline]
     pub fn key(&self, point: &SVector<f64, D>) -> u128 {
-        self.key_of(&std::array::from_fn(|axis| self.scaled(axis, point[axis]) as u64))
+        (0..D).map(|axis| u128::from(self.scaled(axis, point[axis]) as u64) * self.strides[axis]).sum()
     }
 
-    /// The number of a cell given by its coordinates; x runs fastest.
+    /// What one step along an axis adds to the number of a cell.
     #[inline]
-    pub fn key_of(&self, cell: &[u64; D]) -> u128 {
-        let mut key = 0;
-        for axis in (0..D).rev() {
-            key = key * u128::from(self.counts[axis]) + u128::from(cell[axis]);
-        }
-        key
+    pub fn stride(&self, axis: usize) -> u128 {
+        self.strides[axis]
     }
 
-    /// First and last cell that a ball may touch, or none if it misses the box.
+    /// Square of the distance \[m^2\] along one axis between the centre of a ball and a layer of cells, never too large.
+    #[inline]
+    pub fn gap_squared(&self, range: &CellRange<D>, axis: usize, cell: u64) -> f64 {
+        let below = cell as f64 - range.center[axis];
+        let gap = (below.max(-1.0 - below) - ROUND_OFF_IN_CELLS).max(0.0) * self.size[axis];
+        gap * gap
+    }
+
+    /// The cells that a ball may touch, or none if it misses the box.
     ///
     /// A member p nearer than the radius satisfies p <= center + radius up to round-off, which the hair on the radius
     /// covers; as [`scaled`](Self::scaled) is monotone, the cell of p is then inside the range.
     #[inline]
-    pub fn around_ball(&self, center: &SVector<f64, D>, radius: f64) -> Option<([u64; D], [u64; D])> {
+    pub fn around_ball(&self, center: &SVector<f64, D>, radius: f64) -> Option<CellRange<D>> {
         let radius = radius * (1.0 + 1e-12);
         let (mut first, mut last) = ([0; D], [0; D]);
         for axis in 0..D {
@@ -73,7 +95,8 @@ impl<const D: usize> CellFrame<D> {
             first[axis] = low as u64;
             last[axis] = (high as u64).min(self.counts[axis] - 1);
         }
-        Some((first, last))
+        let center = SVector::from_fn(|axis, _| self.scaled(axis, center[axis]));
+        Some(CellRange { first, last, center })
     }
 }
 
@@ -96,11 +119,23 @@ mod tests {
 
     #[test]
     fn a_ball_touches_its_cells_and_no_more() {
+        let touched = |x, y| {
+            unit_square().around_ball(&SVector::from([x, y]), 0.1).map(|range| (range.first, range.last))
+        };
+        assert_eq!(touched(0.45, -0.05), Some(([1, 0], [1, 0])));
+        assert_eq!(touched(0.65, 0.65), Some(([1, 1], [2, 2])));
+        assert_eq!(touched(0.5, -0.2), None);
+        assert_eq!(touched(1.4, 0.5), None);
+    }
+
+    #[test]
+    fn the_gap_to_a_layer_of_cells() {
         let frame = unit_square();
-        assert_eq!(frame.around_ball(&SVector::from([0.45, -0.1]), 0.1), Some(([1, 0], [1, 0])));
-        assert_eq!(frame.around_ball(&SVector::from([0.65, 0.65]), 0.1), Some(([1, 1], [2, 2])));
-        assert_eq!(frame.around_ball(&SVector::from([0.5, -0.2]), 0.1), None);
-        assert_eq!(frame.around_ball(&SVector::from([1.4, 0.5]), 0.1), None);
+        let range = frame.around_ball(&SVector::from([0.45, 0.45]), 0.3).unwrap();
+        for (cell, gap) in [(0, 0.15), (1, 0.0), (2, 0.15), (3, 0.45)] {
+            let found = frame.gap_squared(&range, 1, cell).sqrt();
+            assert!(found <= gap && found > gap - 4e-4, "layer {cell}: {found}");
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Search by a grid of cells.
 
-use crate::cell_frame::CellFrame;
+use crate::cell_frame::{CellFrame, CellRange};
 use crate::point_index::{PointIndex, distance_squared};
 use nalgebra::SVector;
 use std::ops::Range;
@@ -85,6 +85,25 @@ fn sort_sparse<const D: usize>(
 }
 
 impl<const D: usize> CellGrid<D> {
+    /// Scans the runs along x of one plane of cells; `key` and `gap` \[m^2\] are what its place on further axes adds.
+    #[inline]
+    fn scan_plane(
+        &self,
+        range: &CellRange<D>,
+        key: u128,
+        gap: f64,
+        center: &SVector<f64, D>,
+        found: &mut Vec<u32>,
+    ) {
+        for y in range.first[1]..=range.last[1] {
+            if gap + self.frame.gap_squared(range, 1, y) < self.radius * self.radius {
+                let key = key + u128::from(y) * self.frame.stride(1);
+                let run = self.cells.run(key + u128::from(range.first[0]), key + u128::from(range.last[0]));
+                self.scan(run, center, found);
+            }
+        }
+    }
+
     /// Appends the points of one run of cells that are inside the radius.
     #[inline]
     fn scan(&self, run: Range<usize>, center: &SVector<f64, D>, found: &mut Vec<u32>) {
@@ -104,7 +123,9 @@ impl<const D: usize> CellGrid<D> {
 
 impl<const D: usize> PointIndex<D> for CellGrid<D> {
     fn build(positions: &[SVector<f64, D>], members: &[u32], radius: f64) -> Self {
-        let frame = CellFrame::around(positions, members, radius);
+        let fine = CellFrame::around(positions, members, 0.5 * radius);
+        let crowded = fine.cells() <= members.len() as u128;
+        let frame = if crowded { fine } else { CellFrame::around(positions, members, radius) };
         let dense = frame.cells() <= DENSE_CELLS_PER_MEMBER * members.len() as u128 + 64;
         let sort = if dense { sort_dense } else { sort_sparse };
         let (cells, ids) = sort(positions, members, &frame);
@@ -114,20 +135,13 @@ impl<const D: usize> PointIndex<D> for CellGrid<D> {
 
     #[inline]
     fn collect_within(&self, center: &SVector<f64, D>, found: &mut Vec<u32>) {
-        let Some((first, last)) = self.frame.around_ball(center, self.radius) else { return };
-        let mut cell = first;
-        loop {
-            let key = self.frame.key_of(&cell);
-            self.scan(self.cells.run(key, key + u128::from(last[0] - first[0])), center, found);
-            let mut axis = 1;
-            while axis < D && cell[axis] == last[axis] {
-                cell[axis] = first[axis];
-                axis += 1;
-            }
-            if axis == D {
-                return;
-            }
-            cell[axis] += 1;
+        let Some(range) = self.frame.around_ball(center, self.radius) else { return };
+        if D == 2 {
+            return self.scan_plane(&range, 0, 0.0, center, found);
+        }
+        for z in range.first[D - 1]..=range.last[D - 1] {
+            let gap = self.frame.gap_squared(&range, D - 1, z);
+            self.scan_plane(&range, u128::from(z) * self.frame.stride(D - 1), gap, center, found);
         }
     }
 }

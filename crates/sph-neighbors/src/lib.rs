@@ -10,6 +10,8 @@ mod point_index;
 mod reach;
 mod rows;
 mod search;
+mod skin;
+mod sort;
 #[cfg(test)]
 mod test_sets;
 
@@ -17,3 +19,5 @@ pub use error::Error;
 pub use list::NeighborList;
 pub use reach::PairReach;
 pub use search::SearchMethod;
+pub use skin::SkinnedList;
+pub use sort::{Permutation, spatial_order};

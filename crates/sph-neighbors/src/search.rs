@@ -85,6 +85,17 @@ mod tests {
     }
 
     #[test]
+    fn large_sets_that_share_coordinates_match_brute_force() {
+        let lattice = crate::test_sets::perturbed_lattice::<3>(12, 0.0);
+        let plane: Vec<SVector<f64, 3>> =
+            lattice.iter().map(|r| SVector::from([r.x + 12.0 * r.z, r.y, 0.5])).collect();
+        let pile = vec![SVector::<f64, 3>::repeat(0.3); 300];
+        for positions in [lattice, plane, pile] {
+            check(&positions, PairReach::Uniform(1.5)).unwrap();
+        }
+    }
+
+    #[test]
     fn no_particle_and_one_particle() {
         for method in [SearchMethod::CellGrid, SearchMethod::KdTree] {
             assert_eq!(method.find::<3>(&[], PairReach::Uniform(1.0)), Ok(NeighborList::default()));

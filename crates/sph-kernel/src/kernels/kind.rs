@@ -65,7 +65,12 @@ impl Shape for KernelKind {
 
 impl fmt::Display for KernelKind {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Debug::fmt(self, formatter)
+        formatter.pad(match self {
+            Self::WendlandC2 => "WendlandC2",
+            Self::Gaussian => "Gaussian",
+            Self::CubicSpline => "CubicSpline",
+            Self::QuinticSpline => "QuinticSpline",
+        })
     }
 }
 
@@ -104,6 +109,7 @@ mod tests {
     fn names_survive_a_round_trip() {
         for kind in KernelKind::ALL {
             assert_eq!(kind.to_string().parse(), Ok(kind));
+            assert_eq!(kind.to_string(), format!("{kind:?}"));
         }
     }
 
