@@ -1,3 +1,5 @@
 //! Simulates conduction-mode laser welding with smoothed particle hydrodynamics.
 
 pub mod case;
+pub mod cli;
+pub mod list;
