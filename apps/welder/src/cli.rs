@@ -1,9 +1,12 @@
 //! The command line: commands, options, exit codes. The commands themselves live in modules of their names.
 
+use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::case::CaseError;
 
 /// Simulates conduction-mode laser welding with smoothed particle hydrodynamics.
 #[derive(Debug, Clone, Parser)]
@@ -140,6 +143,12 @@ impl From<ExitStatus> for ExitCode {
     fn from(status: ExitStatus) -> Self {
         ExitCode::from(status.code())
     }
+}
+
+/// Tells what is wrong with a case, on standard error, and ends with the code for it.
+pub fn refuse(error: &CaseError) -> ExitStatus {
+    eprint!("{}", error.report(std::io::stderr().is_terminal()));
+    ExitStatus::WrongInput
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use tracing_subscriber::EnvFilter;
 use welder::case;
-use welder::cli::{CheckArguments, Command, CommandLine, ExitStatus};
+use welder::cli::{self, CheckArguments, Command, CommandLine, ExitStatus};
 
 fn main() -> ExitCode {
     let line = CommandLine::parse();
@@ -40,9 +40,6 @@ fn check(arguments: &CheckArguments) -> ExitStatus {
             println!("{}: the case is well formed", case.name);
             ExitStatus::Done
         }
-        Err(error) => {
-            eprint!("{}", error.report(std::io::stderr().is_terminal()));
-            ExitStatus::WrongInput
-        }
+        Err(error) => cli::refuse(&error),
     }
 }

@@ -203,6 +203,8 @@ Scene(
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
+
         #[test]
         fn places_of_random_values_are_exact(value in values(), pretty in any::<bool>()) {
             let text = match pretty {

@@ -3,6 +3,7 @@
 mod card;
 mod heat;
 mod laser;
+mod lex;
 pub mod library;
 mod load;
 pub mod locate;

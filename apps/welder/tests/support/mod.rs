@@ -1,5 +1,10 @@
 //! A good scene with its material, edits of both, and what the program says of the result.
 
+pub mod geometry_rows;
+pub mod material_rows;
+pub mod path_rows;
+pub mod scene_rows;
+
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -62,6 +67,9 @@ impl Edit {
         format!("{file}:{line}:{column}")
     }
 }
+
+/// An edit (`from`, `to`), where its fault stands, and words that the message must hold.
+pub type Row = (&'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// Runs `welder check` on a scene and its material; gives the exit code and what came out on both channels.
 pub fn check(scene: &str, material: &str, overrides: &[&str]) -> (Option<i32>, String) {

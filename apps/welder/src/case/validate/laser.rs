@@ -14,14 +14,7 @@ pub fn check(findings: &mut Findings, scene: &Scene, laser: &Laser, lattice_is_f
     let beam_is_fine = check_beam(findings, scene, &laser.beam, lattice_is_fine);
     check_absorption(findings, scene, &laser.absorption, lattice_is_fine);
     let Some(track) = check_path(findings, &laser.path) else { return };
-    let last_s = track.points()[0].time_s;
-    let reason = format!("the run ends before the laser starts at {} s", number(last_s));
-    findings.require(
-        scene.time.end_s > last_s,
-        "time.end_s",
-        &reason,
-        "end the run after the laser has worked",
-    );
+    check_start(findings, scene, &laser.path, &track);
     if lattice_is_fine {
         check_place(findings, scene, &laser.path, &track);
     }
@@ -145,6 +138,23 @@ fn check_powers(findings: &mut Findings, field: &str, powers_w: &[f64]) -> bool 
         "the laser is never on",
         "give at least one point a power, or leave `laser` out",
     ) && fine
+}
+
+fn check_start(findings: &mut Findings, scene: &Scene, path: &Path, track: &Track) {
+    let start_s = track.points()[0].time_s;
+    let field = match path {
+        Path::Spot { .. } => "laser.path.pulse.start_s",
+        Path::Straight { .. } => "laser.path.start_s",
+        Path::Polyline { .. } => "laser.path.points.0.time_s",
+    };
+    findings.require(start_s >= 0.0, field, "before the run, which starts at 0 s", "accepted: 0 s or later");
+    let reason = format!("the run ends before the laser starts at {} s", number(start_s));
+    findings.require(
+        scene.time.end_s > start_s,
+        "time.end_s",
+        &reason,
+        "end the run after the laser has worked",
+    );
 }
 
 /// The path in the scene of a field that laser-source names, as `points[2].time_s`.
