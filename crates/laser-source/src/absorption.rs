@@ -13,7 +13,8 @@ use crate::error::{Error, require};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Absorption {
-    /// At the surface itself; right for metals, which absorb 95 % within a micrometre (Hu and Eberhard 2015, 2.4).
+    /// At the surface itself; right for metals, which absorb 95 % within a micrometre (Hu and Eberhard 2015,
+    /// 2.4).
     Surface {
         /// Absorbed over incident power, 1 - Gamma, between 0 and 1.
         absorptivity: f64,
@@ -22,7 +23,7 @@ pub enum Absorption {
     BeerLambert {
         /// Power that enters over incident power, 1 - Gamma, between 0 and 1.
         absorptivity: f64,
-        /// Absorption coefficient A [1/m].
+        /// Absorption coefficient A (1/m).
         absorption_coefficient_per_m: f64,
     },
 }
@@ -74,10 +75,10 @@ impl Absorption {
     }
 }
 
-/// Absorption coefficient A = 4 pi n kappa / lambda_0 [1/m] (Hu and Eberhard 2015, below eq. 22).
+/// Absorption coefficient A = 4 pi n kappa / lambda_0 (1/m) (Hu and Eberhard 2015, below eq. 22).
 ///
-/// `refractive_index` is n, `absorbance` is kappa as the paper writes it (extinction coefficient k = n kappa), and
-/// `wavelength_m` the wavelength in vacuum [m], not zero.
+/// `refractive_index` is n, `absorbance` is kappa as the paper writes it (extinction coefficient k = n
+/// kappa), and `wavelength_m` the wavelength in vacuum (m), not zero.
 #[must_use]
 pub fn absorption_coefficient_per_m(refractive_index: f64, absorbance: f64, wavelength_m: f64) -> f64 {
     4.0 * PI * refractive_index * absorbance / wavelength_m
@@ -93,7 +94,8 @@ mod tests {
     proptest! {
         #[test]
         fn layers_add_up(coefficient in 1e2..1e7_f64, thickness in 1e-7..1e-3_f64, layers in 1..40_usize) {
-            let law = Absorption::BeerLambert { absorptivity: 1.0, absorption_coefficient_per_m: coefficient };
+            let absorption_coefficient_per_m = coefficient;
+            let law = Absorption::BeerLambert { absorptivity: 1.0, absorption_coefficient_per_m };
             let depth = |i: usize| thickness * i as f64;
             let sum: f64 = (0..layers).map(|i| law.share_between(depth(i), depth(i + 1))).sum();
             prop_assert!((sum - (1.0 - (-coefficient * depth(layers)).exp())).abs() < 1e-13);

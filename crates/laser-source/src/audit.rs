@@ -4,24 +4,25 @@ use std::ops::AddAssign;
 
 use serde::{Deserialize, Serialize};
 
-/// Where the energy of a beam goes [J]. Closed: emitted = absorbed + reflected + missed.
+/// Where the energy of a beam goes (J). Closed: emitted = absorbed + reflected + missed.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PowerAudit {
-    /// Energy that the path commands [J].
+    /// Energy that the path commands (J).
     pub commanded_j: f64,
-    /// Energy that the profile spreads over the plane [J]: commanded, times e^0.5 for the paper's normalisation.
+    /// Energy that the profile spreads over the plane (J): commanded, times e^0.5 for the paper's
+    /// normalisation.
     pub emitted_j: f64,
-    /// Energy that hits the face and enters the material [J].
+    /// Energy that hits the face and enters the material (J).
     pub absorbed_j: f64,
-    /// Energy that hits the face and is reflected [J].
+    /// Energy that hits the face and is reflected (J).
     pub reflected_j: f64,
-    /// Energy that passes beside the face [J].
+    /// Energy that passes beside the face (J).
     pub missed_j: f64,
 }
 
 impl PowerAudit {
-    /// Emitted energy that is in none of the accounts [J]; zero to round-off.
+    /// Emitted energy that is in none of the accounts (J); zero to round-off.
     #[must_use]
     pub fn residual_j(&self) -> f64 {
         self.emitted_j - self.absorbed_j - self.reflected_j - self.missed_j
@@ -57,15 +58,16 @@ mod tests {
             let source = seam([GAUSSIAN, TOP_HAT, PAPER][kind]);
             let audit = source.audit(start, start + step, &Rectangle::square(x, y, half));
             prop_assert!(audit.residual_j().abs() <= 1e-14 * audit.emitted_j);
-            prop_assert!((audit.emitted_j - source.beam().total() * audit.commanded_j).abs() <= 1e-15 * audit.emitted_j);
+            let emitted_j = source.beam().total() * audit.commanded_j;
+            prop_assert!((audit.emitted_j - emitted_j).abs() <= 1e-15 * audit.emitted_j);
             prop_assert!((audit.reflected_j * 0.4 - audit.absorbed_j * 0.6).abs() <= 1e-14 * audit.emitted_j);
         }
     }
 
     #[test]
     fn half_plane_beside_the_seam_misses_half() {
-        // The seam runs along y = 4 x / 3 from the origin; by symmetry about its middle (1.5, 2) half of the light
-        // falls beyond x = 1.5.
+        // The seam runs along y = 4 x / 3 from the origin; by symmetry about its middle (1.5, 2) half of the
+        // light falls beyond x = 1.5.
         let face = Rectangle { x_min_m: 1.5, ..Rectangle::PLANE };
         let audit = seam(GAUSSIAN).audit(0.0, 9.0, &face);
         assert!((audit.commanded_j - 1250.0).abs() < 1e-12);

@@ -10,8 +10,9 @@ use edges::Edges;
 
 /// Squares of a plane surface that receive absorbed power; one for each surface particle.
 ///
-/// Squares on a regular plane share their edges: each distinct edge costs one error function per quadrature point,
-/// each square then only the product of two differences. Squares beyond the reach of the beam are not visited.
+/// Squares on a regular plane share their edges: each distinct edge costs one error function per quadrature
+/// point, each square then only the product of two differences. Squares beyond the reach of the beam are not
+/// visited.
 #[derive(Debug, Clone)]
 pub struct SurfacePatches {
     x_edges: Edges,
@@ -39,11 +40,12 @@ struct Cell {
 impl SurfacePatches {
     /// The squares with centres `(x_m[i], y_m[i])` and sides `2 half_width_m[i]`.
     ///
-    /// Edges closer than 1e-9 of the smallest half width count as one, so that neighbouring squares leave no gap.
+    /// Edges closer than 1e-9 of the smallest half width count as one, so that neighbouring squares leave no
+    /// gap.
     ///
     /// # Errors
-    /// [`Error::ColumnLength`] if the columns differ in length, [`Error::OutOfRange`] if a coordinate is not finite
-    /// or a half width not positive.
+    /// [`Error::ColumnLength`] if the columns differ in length, [`Error::OutOfRange`] if a coordinate is not
+    /// finite or a half width not positive.
     pub fn new(x_m: &[f64], y_m: &[f64], half_width_m: &[f64]) -> Result<Self, Error> {
         validate(x_m, y_m, half_width_m)?;
         let tolerance_m = 1e-9 * half_width_m.iter().copied().fold(f64::INFINITY, f64::min);
@@ -78,8 +80,8 @@ impl SurfacePatches {
         self.cells.is_empty()
     }
 
-    /// Adds to `out[i]` the power [W] that square i absorbs from `source`, mean over the step from `t0_s` to `t1_s`,
-    /// times `scale`. Adds nothing if `t1_s <= t0_s`.
+    /// Adds to `out[i]` the power (W) that square i absorbs from `source`, mean over the step from `t0_s` to
+    /// `t1_s`, times `scale`. Adds nothing if `t1_s <= t0_s`.
     ///
     /// # Panics
     /// If `out` is not as long as the columns.

@@ -1,5 +1,6 @@
 //! Paths as they are written in a case file: where the beam goes and how much power it is commanded to have.
 
+mod piece;
 mod pulse;
 mod track;
 
@@ -7,34 +8,40 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, require, require_coordinate, require_length, require_power, require_time};
 
+pub(crate) use piece::Piece;
 pub use pulse::{PowerPoint, Pulse};
-pub(crate) use track::Piece;
 pub use track::{Track, TrackPoint};
 
 /// The way of the beam's centre over the surface, and its commanded power over time.
 ///
-/// In a case file: `Spot(position_m: (0.0, 0.0), pulse: Constant(start_s: 0.0, duration_s: 15e-3, power_w: 900.0))`.
+/// In a case file:
+///
+/// ```text
+/// Spot(position_m: (0.0, 0.0), pulse: Constant(start_s: 0.0, duration_s: 15e-3, power_w: 900.0))
+/// Straight(from_m: (0.0, 0.0), to_m: (0.01, 0.0), speed_m_s: 0.1, power_w: 900.0, start_s: 0.0)
+/// Polyline(points: [(time_s: 0.0, x_m: 0.0, y_m: 0.0, power_w: 500.0), ..])
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Path {
     /// A beam that stands still.
     Spot {
-        /// Where it stands [m].
+        /// Where it stands (m).
         position_m: [f64; 2],
         /// Its power over time.
         pulse: Pulse,
     },
     /// A beam that goes from one point to another at constant speed and power.
     Straight {
-        /// Where it starts [m].
+        /// Where it starts (m).
         from_m: [f64; 2],
-        /// Where it ends [m].
+        /// Where it ends (m).
         to_m: [f64; 2],
-        /// Its speed [m/s].
+        /// Its speed (m/s).
         speed_m_s: f64,
-        /// Its power while it moves [W].
+        /// Its power while it moves (W).
         power_w: f64,
-        /// When it starts [s].
+        /// When it starts (s).
         start_s: f64,
     },
     /// A beam through given points; position and power are linear in time between them.
@@ -48,8 +55,9 @@ impl Path {
     /// The path as a table of points, the form in which it is evaluated.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] that names the field if a number is not finite, a length, speed or duration is not
-    /// positive, a power is negative, or times run backwards; [`Error::TooFew`] for fewer than two points.
+    /// [`Error::OutOfRange`] that names the field if a number is not finite, a length, speed or duration is
+    /// not positive, a power is negative, or times run backwards; [`Error::TooFew`] for fewer than two
+    /// points.
     pub fn track(&self) -> Result<Track, Error> {
         match self {
             Self::Spot { position_m, pulse } => spot(*position_m, pulse),
@@ -146,7 +154,9 @@ mod tests {
         .unwrap();
         assert_eq!(spot.track().unwrap().end_time(), 15e-3);
         let line: Path = ron::from_str(
-            "Polyline(points: [(time_s: 0.0, x_m: 0.0, y_m: 0.0, power_w: 1.0), (time_s: 1.0, x_m: 1.0, y_m: 0.0, power_w: 3.0)])",
+            "Polyline(points: [\
+                (time_s: 0.0, x_m: 0.0, y_m: 0.0, power_w: 1.0), \
+                (time_s: 1.0, x_m: 1.0, y_m: 0.0, power_w: 3.0)])",
         )
         .unwrap();
         assert_eq!(line.track().unwrap().power(0.5), 2.0);

@@ -2,7 +2,8 @@
 
 use crate::path::{Piece, Track};
 
-/// What one quadrature point stands for: the beam's centre there, and the commanded energy of its share of the step.
+/// What one quadrature point stands for: the beam's centre there, and the commanded energy of its share of
+/// the step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct QuadraturePoint {
     pub(crate) x_m: f64,
@@ -10,8 +11,8 @@ pub(crate) struct QuadraturePoint {
     pub(crate) energy_j: f64,
 }
 
-/// A Gauss-Legendre rule on 0..1: the pairs (position, weight), and the longest travel of the beam for which it
-/// serves, in lengths over which the profile changes.
+/// A Gauss-Legendre rule on 0..1: the pairs (position, weight), and the longest travel of the beam for which
+/// it serves, in lengths over which the profile changes.
 struct Rule {
     longest_travel: f64,
     nodes: &'static [(f64, f64)],
@@ -19,11 +20,12 @@ struct Rule {
 
 /// The rules in order of travel (Abramowitz and Stegun 1964, table 25.4).
 ///
-/// The remainder of the n-point rule over a travel L is L^2n (n!)^4 / ((2n + 1) (2n)!^3) times the 2n-th derivative of
-/// the integrand (25.4.30), at most (2n)!/n! for exp(-x^2). The longest travels keep it below 6e-7 of the peak.
+/// The remainder of the n-point rule over a travel L is L^2n (n!)^4 / ((2n + 1) (2n)!^3) times the 2n-th
+/// derivative of the integrand (25.4.30), at most (2n)!/n! for exp(-x^2). The longest travels keep it below
+/// 6e-7 of the peak.
 const RULES: [Rule; 5] = [
     Rule { longest_travel: 0.0, nodes: &[(0.5, 1.0)] },
-    Rule { longest_travel: 0.12, nodes: &[(0.211_324_865_405_187_12, 0.5), (0.788_675_134_594_812_9, 0.5)] },
+    Rule { longest_travel: 0.12, nodes: &[(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)] },
     Rule {
         longest_travel: 0.45,
         nodes: &[

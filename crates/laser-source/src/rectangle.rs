@@ -4,17 +4,17 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, require};
 
-/// An axis-aligned rectangle in the plane of the surface [m]. Sides may lie at infinity.
+/// An axis-aligned rectangle in the plane of the surface (m). Sides may lie at infinity.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rectangle {
-    /// Smallest x [m].
+    /// Smallest x (m).
     pub x_min_m: f64,
-    /// Largest x [m].
+    /// Largest x (m).
     pub x_max_m: f64,
-    /// Smallest y [m].
+    /// Smallest y (m).
     pub y_min_m: f64,
-    /// Largest y [m].
+    /// Largest y (m).
     pub y_max_m: f64,
 }
 

@@ -12,11 +12,17 @@ use crate::rectangle::Rectangle;
 
 /// A beam that moves along a path over a plane surface and is partly absorbed; valid by construction.
 ///
-/// Means over a step are integrated in time by Gauss-Legendre quadrature, piece by piece between the events of the
-/// path, because a source held at mid-step leaves an error that no finer grid removes. The error is below 1e-6 of
-/// the largest value for a Gaussian, and 2e-4 for a top-hat, whose rim is sharp; sums over a tiling are exact to round-off.
+/// Means over a step are integrated in time by Gauss-Legendre quadrature, piece by piece between the events
+/// of the path, because a source held at mid-step leaves an error that no finer grid removes. For a Gaussian
+/// the error is below 1e-6 of what a square of the same size receives in the middle of the beam. A top-hat
+/// has a sharp rim: below 1e-3 for squares on the rim with sides of 1/25 of its radius or more. Sums over a
+/// tiling are exact to round-off for both.
 ///
-/// In a case file: `(beam: Gaussian(radius_1e2_m: 0.6e-3), path: Spot(..), absorption: Surface(absorptivity: 0.35))`.
+/// In a case file:
+///
+/// ```text
+/// (beam: Gaussian(radius_1e2_m: 0.6e-3), path: Spot(..), absorption: Surface(absorptivity: 0.35))
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "LaserSourceInput", into = "LaserSourceInput")]
 pub struct LaserSource {
@@ -71,7 +77,7 @@ impl LaserSource {
         &self.absorption
     }
 
-    /// Absorbed intensity at one time and place [W/m^2].
+    /// Absorbed intensity at one time and place (W/m^2).
     #[must_use]
     pub fn absorbed_intensity(&self, time_s: f64, x_m: f64, y_m: f64) -> f64 {
         let [beam_x_m, beam_y_m] = self.track.position(time_s);
@@ -79,13 +85,13 @@ impl LaserSource {
         power_w * self.beam.intensity_per_watt(x_m - beam_x_m, y_m - beam_y_m)
     }
 
-    /// Energy absorbed in the whole plane from `t0_s` to `t1_s` [J], exact.
+    /// Energy absorbed in the whole plane from `t0_s` to `t1_s` (J), exact.
     #[must_use]
     pub fn absorbed_energy(&self, t0_s: f64, t1_s: f64) -> f64 {
         self.absorption.absorptivity() * self.beam.total() * self.track.energy(t0_s, t1_s)
     }
 
-    /// Absorbed power in a rectangle, mean over the step from `t0_s` to a later `t1_s` [W].
+    /// Absorbed power in a rectangle, mean over the step from `t0_s` to a later `t1_s` (W).
     #[must_use]
     pub fn mean_absorbed_power(&self, t0_s: f64, t1_s: f64, rectangle: &Rectangle) -> f64 {
         let mut energy_j = 0.0;
@@ -189,7 +195,8 @@ pub(crate) mod tests {
         #![proptest_config(ProptestConfig::with_cases(64))]
         #[test]
         fn mean_over_a_step_is_exact_to_1e_6_of_the_peak(
-            start in 1.0..3.0_f64, step in 1e-3..0.5_f64, x in -1.0..4.0_f64, y in -1.0..4.0_f64, half in 0.02..0.5_f64,
+            start in 1.0..3.0_f64, step in 1e-3..0.5_f64,
+            x in -1.0..4.0_f64, y in -1.0..4.0_f64, half in 0.02..0.5_f64,
         ) {
             let source = seam(GAUSSIAN);
             let rectangle = Rectangle::square(x, y, half);
@@ -201,14 +208,15 @@ pub(crate) mod tests {
 
         #[test]
         fn top_hat_is_within_its_stated_error(
-            start in 1.0..3.0_f64, step in 1e-3..0.5_f64, x in -1.0..4.0_f64, y in -1.0..4.0_f64, half in 0.05..0.5_f64,
+            start in 1.0..3.0_f64, step in 1e-3..0.5_f64,
+            x in -1.0..4.0_f64, y in -1.0..4.0_f64, half in 0.02..0.5_f64,
         ) {
             let source = seam(TOP_HAT);
             let rectangle = Rectangle::square(x, y, half);
             let mean = source.mean_absorbed_power(start, start + step, &rectangle);
             let expected = reference(&source, start, start + step, &rectangle, 20_000);
             let peak = 200.0 * source.beam().fraction_in_rectangle(-half, half, -half, half);
-            prop_assert!((mean - expected).abs() < 2e-4 * peak, "{mean} {expected} {peak}");
+            prop_assert!((mean - expected).abs() < 1e-3 * peak, "{mean} {expected} {peak}");
         }
     }
 

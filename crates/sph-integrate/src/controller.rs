@@ -5,34 +5,40 @@ use crate::error::{Error, require};
 /// What to do with a step whose error is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Decision {
-    /// Keep the step and try `next_s` next [s].
+    /// Keep the step and try `next_s` next (s).
     Accept {
-        /// Length to try next [s].
+        /// Length to try next (s).
         next_s: f64,
     },
-    /// Go back and try again with `retry_s` [s].
+    /// Go back and try again with `retry_s` (s).
     Reject {
-        /// Length to try again [s].
+        /// Length to try again (s).
         retry_s: f64,
     },
 }
 
 /// What the controller remembers; save it and give it back to continue with the same bits.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ControllerState {
-    /// Length of the last accepted step [s]; 0 before the first.
+    /// Length of the last accepted step (s); 0 before the first.
     pub last_step_s: f64,
     /// Error of that step over the tolerance.
     pub last_error: f64,
-    /// Whether the step before the one in hand was rejected: then the next may not grow.
-    pub rejected: bool,
+    /// Largest growth of the next step: 1 after a rejection, else infinite.
+    pub growth_cap: f64,
 }
 
-/// The predictive step controller for schemes of second order; Sommeijer, Shampine and Verwer (1998), eq. 2.10,
-/// after Watts (1984).
+impl Default for ControllerState {
+    fn default() -> Self {
+        Self { last_step_s: 0.0, last_error: 0.0, growth_cap: f64::INFINITY }
+    }
+}
+
+/// The predictive step controller for schemes of second order; Sommeijer, Shampine and Verwer (1998), after
+/// Watts (1984).
 ///
-/// The factor on the step is 0.8 (1/e_n)^(1/3), after an earlier accepted step times (e_{n-1}/e_n)^(1/3) h_n/h_{n-1},
-/// and lies between 0.1 and the largest growth; a step after a rejection does not grow.
+/// The factor on the step is 0.8 (1/e_n)^(1/3), after an earlier accepted step times (e_{n-1}/e_n)^(1/3)
+/// h_n/h_{n-1}, and lies between 0.1 and the largest growth; a step after a rejection does not grow.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepController {
     tolerance: f64,
@@ -71,29 +77,26 @@ impl StepController {
         self.state = state;
     }
 
-    /// Judges a step of `step_s` with the error norm `error` and proposes the next. An error that is not finite is
-    /// rejected like a very large one.
+    /// Judges a step of `step_s` with the error norm `error` and proposes the next. An error that is not
+    /// finite is rejected like a very large one.
     pub fn propose(&mut self, step_s: f64, error: f64) -> Decision {
-        let error = (error / self.tolerance).max(ERROR_FLOOR);
-        if error <= 1.0 && error.is_finite() {
-            self.accept(step_s, error)
-        } else {
-            self.reject(step_s, error)
-        }
+        let error = error / self.tolerance;
+        // Not a number fails this comparison.
+        if error <= 1.0 { self.accept(step_s, error.max(ERROR_FLOOR)) } else { self.reject(step_s, error) }
     }
 
     fn accept(&mut self, step_s: f64, error: f64) -> Decision {
-        let ControllerState { last_step_s, last_error, rejected } = self.state;
+        let ControllerState { last_step_s, last_error, growth_cap } = self.state;
         let trend =
             if last_step_s > 0.0 { (last_error / error).cbrt() * (step_s / last_step_s) } else { 1.0 };
-        let growth = if rejected { 1.0 } else { self.largest_growth };
+        let growth = self.largest_growth.min(growth_cap);
         let factor = (SAFETY / error.cbrt() * trend).clamp(SMALLEST_FACTOR, growth);
-        self.state = ControllerState { last_step_s: step_s, last_error: error, rejected: false };
+        self.state = ControllerState { last_step_s: step_s, last_error: error, growth_cap: f64::INFINITY };
         Decision::Accept { next_s: factor * step_s }
     }
 
     fn reject(&mut self, step_s: f64, error: f64) -> Decision {
-        self.state.rejected = true;
+        self.state.growth_cap = 1.0;
         let factor =
             if error.is_finite() { (SAFETY / error.cbrt()).max(SMALLEST_FACTOR) } else { SMALLEST_FACTOR };
         Decision::Reject { retry_s: factor * step_s }
@@ -134,7 +137,7 @@ mod tests {
             Decision::Accept { next_s: 0.1 },
             "no growth after a rejection"
         );
-        assert_eq!(controller.propose(0.1, 1e-12), Decision::Accept { next_s: 0.3 * 1.0 });
+        assert_eq!(controller.propose(0.1, 1e-12), Decision::Accept { next_s: 0.1 * 3.0 });
     }
 
     #[test]

@@ -1,16 +1,18 @@
 //! The embedded error estimate of stabilised schemes of second order, and its norm.
 
 /// Estimate of the local error of one unknown over a step of `tau_s`:
-/// (12 (y_n - y_{n+1}) + 6 tau (f_n + f_{n+1})) / 15; Sommeijer, Shampine and Verwer (1998), eq. 2.9.
+/// (12 (y_n - y_{n+1}) + 6 tau (f_n + f_{n+1})) / 15; Sommeijer, Shampine and Verwer (1998), RKC.
 ///
-/// It compares the step with the trapezoidal rule on its two ends: tau^3 y'''/15 to leading order if the step is exact.
+/// It compares the step with the trapezoidal rule on its two ends: tau^3 y'''/15 to leading order if the step
+/// is exact. For RKL2 it is 1.5 (3 stages) to 2 (many stages) times the true error of a linear problem.
 #[inline]
 #[must_use]
 pub fn local_error(y_start: f64, y_end: f64, rate_start: f64, rate_end: f64, tau_s: f64) -> f64 {
     (12.0 * (y_start - y_end) + 6.0 * tau_s * (rate_start + rate_end)) / 15.0
 }
 
-/// How large an error of an unknown may be: `absolute + relative * max(|y_n|, |y_{n+1}|)`, in the unit of the unknown.
+/// How large an error of an unknown may be: `absolute + relative * max(|y_n|, |y_{n+1}|)`, in the unit of the
+/// unknown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorWeight {
     /// Error accepted at any size.
@@ -87,6 +89,17 @@ mod tests {
         let ((coarse, true_error), (fine, _)) = (step(2e-3), step(1e-3));
         assert!(((coarse / fine).log2() - 3.0).abs() < 0.05, "{coarse} {fine}");
         assert!(coarse > true_error && coarse < 10.0 * true_error, "{coarse} {true_error}");
+    }
+
+    #[test]
+    fn overestimates_rkl2_by_the_documented_factor() {
+        // R(z) = 1 + z + z^2/2 + c z^3 makes (3 - 12 c)/15 z^3 of a true error (1/6 - c) z^3.
+        for (stages, expected) in [(3, 22.0 / 15.0), (51, 2.0)] {
+            let (mut y, table) = (vec![1.0], Rkl2Coefficients::new(stages).unwrap());
+            rkl2_step(&mut y, 1e-3, &table, |y, rate| rate[0] = -y[0], &mut Rkl2Scratch::new(1));
+            let ratio = local_error(1.0, y[0], -1.0, -y[0], 1e-3) / ((-1e-3_f64).exp() - y[0]);
+            assert!((ratio / expected - 1.0).abs() < 0.01, "{stages} stages: {ratio}");
+        }
     }
 
     #[test]

@@ -2,9 +2,9 @@
 
 /// Advances positions and velocities by one kick-drift-kick step (velocity Verlet; Swope et al. 1982).
 ///
-/// On entry `acceleration` holds that of `position`; on return it holds that of the new positions, so that one
-/// evaluation a step is enough. `accelerate(position, acceleration)` writes the accelerations. The step is symplectic
-/// and reversible if they depend on the positions only.
+/// On entry `acceleration` holds that of `position`; on return it holds that of the new positions, so that
+/// one evaluation a step is enough. `accelerate(position, acceleration)` writes the accelerations. The step
+/// is symplectic and reversible if they depend on the positions only.
 pub fn leapfrog_step(
     position: &mut [f64],
     velocity: &mut [f64],
@@ -79,7 +79,8 @@ mod tests {
 
     #[test]
     fn energy_of_an_oscillator_stays_within_its_bound() {
-        // The scheme keeps v^2 + (1 - dt^2/4) x^2 exactly, so that v^2 + x^2 stays below 1/(1 - dt^2/4) from rest.
+        // The scheme keeps v^2 + (1 - dt^2/4) x^2 exactly, so that v^2 + x^2 stays below 1/(1 - dt^2/4) from
+        // rest.
         let (mut x, mut v, mut a, dt_s) = ([1.0], [0.0], [-1.0], 0.1);
         let mut range = [f64::INFINITY, 0.0_f64];
         for _ in 0..100_000 {

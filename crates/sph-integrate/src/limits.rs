@@ -5,14 +5,14 @@
 pub struct StepLimit {
     /// Name of the criterion, for example `"conduction"`.
     pub name: &'static str,
-    /// Longest step that it allows [s].
+    /// Longest step that it allows (s).
     pub dt_s: f64,
 }
 
 /// The limit that rules: the one with the shortest step; of equal ones the first.
 ///
-/// A step that is not a number rules over all others, so that it is noticed. Without limits the result is called
-/// `"none"` and allows an infinite step.
+/// A step that is not a number rules over all others, so that it is noticed. Without limits the result is
+/// called `"none"` and allows an infinite step.
 #[must_use]
 pub fn smallest(limits: impl IntoIterator<Item = StepLimit>) -> StepLimit {
     let none = StepLimit { name: "none", dt_s: f64::INFINITY };

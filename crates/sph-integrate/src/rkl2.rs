@@ -22,11 +22,11 @@ impl Rkl2Scratch {
     }
 }
 
-/// Advances `y` by one super step of `tau_s` of y' = `rhs`(y); Meyer, Balsara and Aslam (2014), eqs. 14-17.
+/// Advances `y` by one super step of `tau_s` of y' = `rhs`(y); RKL2 of Meyer, Balsara and Aslam (2014).
 ///
-/// `rhs(y, rate)` writes the rate of change; it must not depend on time within the step. The step is stable if
-/// `tau_s` is at most [`max_step`]. This driver is written for clarity; where the right-hand side is a row product,
-/// fuse it with the stage update from [`Rkl2Coefficients`] in one pass.
+/// `rhs(y, rate)` writes the rate of change; it must not depend on time within the step. The step is stable
+/// if `tau_s` is at most [`max_step`]. This driver is written for clarity; where the right-hand side is a row
+/// product, fuse it with the stage update from [`Rkl2Coefficients`] in one pass.
 ///
 /// # Panics
 /// If `y` is not as long as `scratch`.
@@ -80,7 +80,7 @@ mod tests {
         }
     }
 
-    /// Growth of the shortest wave of a ring of 64 under `factor` times the largest step, over 50 steps.
+    /// Mean size of the shortest wave of a ring of 64 under `factor` times the largest step, over 50 steps.
     fn growth(stages: usize, factor: f64) -> f64 {
         // Largest eigenvalue of the ring 4, so an Euler step may be 2/4.
         let tau_s = factor * max_step(stages, 0.5);
@@ -89,7 +89,7 @@ mod tests {
         for _ in 0..50 {
             rkl2_step(&mut y, tau_s, &coefficients(stages), ring, &mut scratch);
         }
-        y.iter().fold(0.0, |largest, value| value.abs().max(largest))
+        y.iter().map(|value| value.abs()).sum::<f64>() / 64.0
     }
 
     #[test]
@@ -97,7 +97,7 @@ mod tests {
         for stages in [3, 5, 9, 15, 31] {
             let (inside, beyond) = (growth(stages, 0.999), growth(stages, 1.2));
             assert!(inside < 1.0, "{stages} stages: {inside}");
-            assert!(beyond > 1e3, "{stages} stages: {beyond}");
+            assert!(beyond > 1e3 || !beyond.is_finite(), "{stages} stages: {beyond}");
         }
     }
 

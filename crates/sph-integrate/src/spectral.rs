@@ -1,17 +1,19 @@
 //! The largest eigenvalue of an operator, which sets the longest explicit step.
 
-/// Factor on the estimate of [`largest_eigenvalue`]: power iteration approaches from below, and 60 iterations on
-/// the spectrum of a diffusion operator leave a few per cent.
+/// Factor on the estimate of [`largest_eigenvalue`]: power iteration approaches from below, and 60 iterations
+/// on the spectrum of a diffusion operator leave a few per cent.
 pub const SPECTRAL_SAFETY: f64 = 1.05;
 
 /// Iterations of [`largest_eigenvalue`].
 const ITERATIONS: usize = 60;
 
-/// An upper estimate of the largest eigenvalue of a symmetric positive semi-definite operator of `size` unknowns.
+/// An upper estimate of the largest eigenvalue of a symmetric positive semi-definite operator of `size`
+/// unknowns.
 ///
 /// `apply(v, image)` writes the image of `v`. Power iteration from a fixed start vector, times
-/// [`SPECTRAL_SAFETY`]; the same bits every time. A diagonal scaling that makes the operator D^-1 A is made symmetric
-/// as D^-1/2 A D^-1/2. Returns 0 for an operator that maps everything to zero, and NaN if it makes a NaN.
+/// [`SPECTRAL_SAFETY`]; the same bits every time. A diagonal scaling that makes the operator D^-1 A is made
+/// symmetric as D^-1/2 A D^-1/2. Returns 0 for an operator that maps everything to zero, and NaN if it makes
+/// a NaN.
 #[must_use]
 pub fn largest_eigenvalue(size: usize, mut apply: impl FnMut(&[f64], &mut [f64])) -> f64 {
     let mut vector: Vec<f64> = (0..size as u64).map(scatter).collect();
@@ -38,8 +40,8 @@ fn normalise(vector: &mut [f64]) -> f64 {
     norm
 }
 
-/// A number in -1..1 scattered by index (splitmix64; Steele, Lea and Flood 2014), so that the start vector has a part
-/// along every eigenvector.
+/// A number in -1..1 scattered by index (splitmix64; Steele, Lea and Flood 2014), so that the start vector
+/// has a part along every eigenvector.
 fn scatter(index: u64) -> f64 {
     let mut bits = (index + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

@@ -13,7 +13,8 @@ pub(crate) fn riccati_exact(time_s: f64) -> [f64; 3] {
     [0.5, 0.3, 1.2].map(|start| start / (1.0 + 2.0 * time_s))
 }
 
-/// Heat on a ring: y_i' = y_{i-1} - 2 y_i + y_{i+1}, with largest eigenvalue 4 for an even size; keeps the sum.
+/// Heat on a ring: y_i' = y_{i-1} - 2 y_i + y_{i+1}, with largest eigenvalue 4 for an even size; keeps the
+/// sum.
 pub(crate) fn ring(y: &[f64], rate: &mut [f64]) {
     rate.fill(0.0);
     for i in 0..y.len() {

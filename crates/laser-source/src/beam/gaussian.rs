@@ -10,22 +10,22 @@ pub(crate) const REACH: f64 = 6.0;
 /// A Gaussian beam that integrates to one: I = P / (pi r_s^2) exp(-(x^2 + y^2) / r_s^2).
 ///
 /// r_s is the radius at which the intensity has fallen to 1/e; the radius w of the 1/e^2 convention of beam
-/// makers is sqrt(2) r_s. The exponential is that of Hu and Eberhard (2015), eq. 23, with the factor that makes
-/// the integral one.
+/// makers is sqrt(2) r_s. The exponential is that of Hu and Eberhard (2015), eq. 23, with the factor that
+/// makes the integral one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gaussian {
-    /// Radius r_s at which the intensity is 1/e of that in the centre [m].
+    /// Radius r_s at which the intensity is 1/e of that in the centre (m).
     pub radius_1e_m: f64,
 }
 
 impl Gaussian {
-    /// The beam with the 1/e^2 radius w = sqrt(2) r_s [m].
+    /// The beam with the 1/e^2 radius w = sqrt(2) r_s (m).
     #[must_use]
     pub fn from_radius_1e2(radius_1e2_m: f64) -> Self {
         Self { radius_1e_m: radius_1e2_m * FRAC_1_SQRT_2 }
     }
 
-    /// Intensity per watt at `(x_m, y_m)` from the centre [1/m^2].
+    /// Intensity per watt at `(x_m, y_m)` from the centre (1/m^2).
     #[must_use]
     pub fn intensity_per_watt(&self, x_m: f64, y_m: f64) -> f64 {
         let square = self.radius_1e_m * self.radius_1e_m;
@@ -74,7 +74,8 @@ pub(crate) mod tests {
         #![proptest_config(ProptestConfig::with_cases(32))]
         #[test]
         fn fraction_is_the_integral_of_the_intensity(
-            radius in 0.5..2.0_f64, x in -2.0..2.0_f64, y in -2.0..2.0_f64, w in 0.01..2.0_f64, h in 0.01..2.0_f64,
+            radius in 0.5..2.0_f64, x in -2.0..2.0_f64, y in -2.0..2.0_f64,
+            w in 0.01..2.0_f64, h in 0.01..2.0_f64,
         ) {
             let beam = Gaussian { radius_1e_m: radius };
             let reference = simpson(|x, y| beam.intensity_per_watt(x, y), x, x + w, y, y + h);

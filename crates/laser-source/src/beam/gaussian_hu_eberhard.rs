@@ -10,7 +10,7 @@ use crate::error::Error;
 /// Use it to compare with the paper only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GaussianHuEberhard {
-    /// Radius r_s at which the intensity is 1/e of that in the centre [m].
+    /// Radius r_s at which the intensity is 1/e of that in the centre (m).
     pub radius_1e_m: f64,
 }
 
@@ -18,7 +18,7 @@ impl GaussianHuEberhard {
     /// Power in the whole plane over commanded power, e^0.5.
     pub const TOTAL: f64 = 1.648_721_270_700_128_2;
 
-    /// Intensity per watt of commanded power at `(x_m, y_m)` from the centre [1/m^2].
+    /// Intensity per watt of commanded power at `(x_m, y_m)` from the centre (1/m^2).
     #[must_use]
     pub fn intensity_per_watt(&self, x_m: f64, y_m: f64) -> f64 {
         Self::TOTAL * self.shape().intensity_per_watt(x_m, y_m)

@@ -7,12 +7,12 @@ use crate::error::{Error, require_length};
 /// A beam of uniform intensity P / (pi R^2) inside a disc of radius R, nothing outside.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TopHat {
-    /// Radius R of the disc [m].
+    /// Radius R of the disc (m).
     pub radius_m: f64,
 }
 
 impl TopHat {
-    /// Intensity per watt at `(x_m, y_m)` from the centre [1/m^2]; the rim counts as inside.
+    /// Intensity per watt at `(x_m, y_m)` from the centre (1/m^2); the rim counts as inside.
     #[must_use]
     pub fn intensity_per_watt(&self, x_m: f64, y_m: f64) -> f64 {
         let square = self.radius_m * self.radius_m;
@@ -75,7 +75,8 @@ mod tests {
     proptest! {
         #[test]
         fn fraction_is_the_area_of_the_intersection(
-            radius in 0.5..2.0_f64, x in -2.5..2.0_f64, y in -2.5..2.0_f64, w in 0.01..3.0_f64, h in 0.01..3.0_f64,
+            radius in 0.5..2.0_f64, x in -2.5..2.0_f64, y in -2.5..2.0_f64,
+            w in 0.01..3.0_f64, h in 0.01..3.0_f64,
         ) {
             let fraction = TopHat { radius_m: radius }.fraction_in_rectangle(x, x + w, y, y + h);
             let expected = reference(radius, x, x + w, y, y + h);

@@ -12,8 +12,8 @@ pub(crate) struct Edges {
 }
 
 impl Edges {
-    /// The edges of the intervals `centre - half_width ..= centre + half_width`, and for each interval the indices of
-    /// its two edges. Edges within `tolerance_m` above another count as that one.
+    /// The edges of the intervals `centre - half_width ..= centre + half_width`, and for each interval the
+    /// indices of its two edges. Edges within `tolerance_m` above another count as that one.
     pub(crate) fn of_intervals(
         centre_m: &[f64],
         half_width_m: &[f64],
@@ -30,7 +30,7 @@ impl Edges {
         (Self { erf: vec![0.0; position_m.len()], position_m }, spans)
     }
 
-    /// Position of an edge [m].
+    /// Position of an edge (m).
     pub(crate) fn at(&self, index: u32) -> f64 {
         self.position_m[index as usize]
     }

@@ -8,9 +8,9 @@ use crate::error::{Error, require, require_power, require_time};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PowerPoint {
-    /// Time [s]: of the simulation in results, since the start of the pulse in [`Pulse::Table`].
+    /// Time (s): of the simulation in results, since the start of the pulse in [`Pulse::Table`].
     pub time_s: f64,
-    /// Commanded power [W].
+    /// Commanded power (W).
     pub power_w: f64,
 }
 
@@ -20,16 +20,16 @@ pub struct PowerPoint {
 pub enum Pulse {
     /// Constant power from a start, for a duration.
     Constant {
-        /// When the pulse starts [s].
+        /// When the pulse starts (s).
         start_s: f64,
-        /// How long it lasts [s].
+        /// How long it lasts (s).
         duration_s: f64,
-        /// Its power [W].
+        /// Its power (W).
         power_w: f64,
     },
     /// Power linear between the points of a table.
     Table {
-        /// When the pulse starts [s].
+        /// When the pulse starts (s).
         start_s: f64,
         /// The points in order of time since the start; two that share a time make a jump.
         points: Vec<PowerPoint>,

@@ -3,43 +3,38 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, require, require_coordinate, require_power, require_time};
+use crate::path::piece::{Piece, between};
 use crate::rectangle::Rectangle;
 
 /// Where the beam is at one time, and its commanded power.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TrackPoint {
-    /// Time [s].
+    /// Time (s).
     pub time_s: f64,
-    /// Position of the beam's centre along x [m].
+    /// Position of the beam's centre along x (m).
     pub x_m: f64,
-    /// Position of the beam's centre along y [m].
+    /// Position of the beam's centre along y (m).
     pub y_m: f64,
-    /// Commanded power [W].
+    /// Commanded power (W).
     pub power_w: f64,
 }
 
 /// Points in order of time, with position and power linear between them.
 ///
-/// Before the first and from the last point on the power is zero and the beam rests at that point. Where the power
-/// jumps, the value after the jump holds.
+/// Before the first and from the last point on the power is zero and the beam rests at that point. Where the
+/// power jumps, the value after the jump holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Track {
     points: Vec<TrackPoint>,
-}
-
-/// The part of one segment of a track inside a time interval.
-pub(crate) struct Piece {
-    pub(crate) start: TrackPoint,
-    pub(crate) end: TrackPoint,
 }
 
 impl Track {
     /// The track through `points`.
     ///
     /// # Errors
-    /// [`Error::TooFew`] for fewer than two points; [`Error::OutOfRange`] if a number is not finite, a power is
-    /// negative, times run backwards, more than two points share a time, or the position jumps.
+    /// [`Error::TooFew`] for fewer than two points; [`Error::OutOfRange`] if a number is not finite, a power
+    /// is negative, times run backwards, more than two points share a time, or the position jumps.
     pub fn new(points: Vec<TrackPoint>) -> Result<Self, Error> {
         if points.len() < 2 {
             return Err(Error::TooFew { field: "points", found: points.len(), accepted: 2 });
@@ -62,7 +57,7 @@ impl Track {
         &self.points
     }
 
-    /// Position of the beam's centre at `time_s` [m].
+    /// Position of the beam's centre at `time_s` (m).
     #[must_use]
     pub fn position(&self, time_s: f64) -> [f64; 2] {
         let point = match self.segment_after(time_s) {
@@ -73,7 +68,7 @@ impl Track {
         [point.x_m, point.y_m]
     }
 
-    /// Commanded power at `time_s` [W]; zero before the first point and from the last on.
+    /// Commanded power at `time_s` (W); zero before the first point and from the last on.
     #[must_use]
     pub fn power(&self, time_s: f64) -> f64 {
         match self.segment_after(time_s) {
@@ -83,13 +78,14 @@ impl Track {
         }
     }
 
-    /// Commanded energy from `t0_s` to `t1_s` [J], exact; zero if `t1_s <= t0_s`.
+    /// Commanded energy from `t0_s` to `t1_s` (J), exact; zero if `t1_s <= t0_s`.
     #[must_use]
     pub fn energy(&self, t0_s: f64, t1_s: f64) -> f64 {
         self.pieces(t0_s, t1_s).map(|piece| piece.duration_s() * piece.mean_power_w()).sum()
     }
 
-    /// All times at which power or direction may be not smooth [s], sorted, each once. Steps should end there.
+    /// All times at which power or direction may be not smooth (s), sorted, each once. Steps should end
+    /// there.
     #[must_use]
     pub fn events(&self) -> Vec<f64> {
         let mut times: Vec<f64> = self.points.iter().map(|point| point.time_s).collect();
@@ -97,7 +93,7 @@ impl Track {
         times
     }
 
-    /// Time of the last point [s]; the power is zero from here on.
+    /// Time of the last point (s); the power is zero from here on.
     #[must_use]
     pub fn end_time(&self) -> f64 {
         self.points[self.points.len() - 1].time_s
@@ -116,7 +112,7 @@ impl Track {
         })
     }
 
-    /// Largest speed of the beam's centre while there is power [m/s].
+    /// Largest speed of the beam's centre while there is power (m/s).
     #[must_use]
     pub fn max_speed(&self) -> f64 {
         self.lit_segments().map(|piece| piece.travel_m() / piece.duration_s()).fold(0.0, f64::max)
@@ -157,41 +153,6 @@ impl Track {
     /// Index of the first point later than `time_s`; the number of points if there is none.
     fn segment_after(&self, time_s: f64) -> usize {
         self.points.partition_point(|point| point.time_s <= time_s)
-    }
-}
-
-impl Piece {
-    pub(crate) fn duration_s(&self) -> f64 {
-        self.end.time_s - self.start.time_s
-    }
-
-    pub(crate) fn mean_power_w(&self) -> f64 {
-        0.5 * (self.start.power_w + self.end.power_w)
-    }
-
-    pub(crate) fn travel_m(&self) -> f64 {
-        (self.end.x_m - self.start.x_m).hypot(self.end.y_m - self.start.y_m)
-    }
-
-    /// Position and power at the share `along` (0 to 1) of the piece.
-    pub(crate) fn at(&self, along: f64) -> TrackPoint {
-        mix(&self.start, &self.end, along)
-    }
-}
-
-/// The point at `time_s` between two points of different times.
-fn between(start: &TrackPoint, end: &TrackPoint, time_s: f64) -> TrackPoint {
-    let along = (time_s - start.time_s) / (end.time_s - start.time_s);
-    TrackPoint { time_s, ..mix(start, end, along) }
-}
-
-fn mix(start: &TrackPoint, end: &TrackPoint, along: f64) -> TrackPoint {
-    let linear = |a: f64, b: f64| a + along * (b - a);
-    TrackPoint {
-        time_s: linear(start.time_s, end.time_s),
-        x_m: linear(start.x_m, end.x_m),
-        y_m: linear(start.y_m, end.y_m),
-        power_w: linear(start.power_w, end.power_w),
     }
 }
 

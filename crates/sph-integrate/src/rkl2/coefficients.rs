@@ -19,7 +19,7 @@ pub struct Stage {
     pub gamma_tilde: f64,
 }
 
-/// The table of a super step of s stages; Meyer, Balsara and Aslam (2014), J. Comput. Phys. 257, eqs. 14-17.
+/// The table of a super step of s stages; Meyer, Balsara and Aslam (2014), J. Comput. Phys. 257, 594.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rkl2Coefficients {
     first_mu_tilde: f64,
@@ -27,8 +27,8 @@ pub struct Rkl2Coefficients {
 }
 
 impl Rkl2Coefficients {
-    /// The table for `stages` evaluations of the right-hand side. The count is odd, because the last stage of an even
-    /// count does not damp the shortest waves at the limit (Meyer, Balsara and Aslam 2014, section 3).
+    /// The table for `stages` evaluations of the right-hand side. The count is odd: at the limit an even
+    /// one keeps the shortest wave as it is, R = 1 - b_s + b_s P_s(-1) = 1, an odd one takes it to 1 - 2 b_s.
     ///
     /// # Errors
     /// [`Error::StageCount`] if the count is even or below 3.
@@ -62,8 +62,8 @@ impl Rkl2Coefficients {
     }
 }
 
-/// Largest stable super step of `stages` stages [s]: dt_euler (s^2 + s - 2)/4 (Meyer, Balsara and Aslam 2014, eq. 18),
-/// where `dt_euler_s` = 2/lambda_max is the largest stable explicit Euler step.
+/// Largest stable super step of `stages` stages (s): dt_euler (s^2 + s - 2)/4 (Meyer, Balsara and Aslam
+/// 2014), where `dt_euler_s` = 2/lambda_max is the largest stable explicit Euler step.
 #[must_use]
 pub fn max_step(stages: usize, dt_euler_s: f64) -> f64 {
     step_ratio(stages) * dt_euler_s
@@ -73,7 +73,8 @@ pub fn max_step(stages: usize, dt_euler_s: f64) -> f64 {
 #[must_use]
 pub fn stages_for(tau_s: f64, dt_euler_s: f64) -> usize {
     let ratio = tau_s / dt_euler_s;
-    // The positive root of (s^2 + s - 2)/4 = ratio, then upwards to the next odd count that holds in round-off too.
+    // The positive root of (s^2 + s - 2)/4 = ratio, then upwards to the next odd count that holds in
+    // round-off too.
     let root = 0.5 * ((9.0 + 16.0 * ratio).sqrt() - 1.0);
     let mut stages = (root.floor().max(3.0) as usize - 1) | 1;
     while step_ratio(stages) < ratio {
@@ -136,7 +137,8 @@ mod tests {
     proptest! {
         #[test]
         fn amplification_is_the_shifted_legendre_polynomial(half in 1..20_usize, along in 0.0..1.0_f64) {
-            // R(z) = a_s + b_s P_s(1 + w_1 z) (Meyer, Balsara and Aslam 2014, eq. 12), which is not how it is computed.
+            // R(z) = a_s + b_s P_s(1 + w_1 z) (Meyer, Balsara and Aslam 2014), which is not how it is
+            // computed.
             let stages = 2 * half + 1;
             let z = -2.0 * step_ratio(stages) * along;
             let b = legendre_weight(stages);
