@@ -40,7 +40,7 @@ pub enum Command {
 pub struct RunArguments {
     /// A folder with a scene.ron, or a .ron file.
     pub case: PathBuf,
-    /// Where the results go [default: out/<case>].
+    /// Where the results go [default: out/NAME].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Threads to use [default: all].
@@ -101,7 +101,7 @@ pub struct PrecisionArguments {
     /// Write the results to this file as well.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
-    /// Where the plots go [default: out/<case>].
+    /// Where the plots go [default: out/NAME].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
