@@ -2,6 +2,8 @@
 
 pub mod build;
 pub mod case;
+pub mod cli;
+pub mod list;
 pub mod measure;
 pub mod model;
 pub mod observe;

@@ -3,22 +3,23 @@
 mod card;
 mod heat;
 mod laser;
+mod lex;
 pub mod library;
 mod load;
-pub mod locate;
+mod locate;
 mod material;
 mod nearest;
 mod part;
 mod problem;
 mod read;
 mod resolution;
-pub mod scan;
+mod scan;
 pub mod scene;
 mod set;
-pub mod source;
+mod source;
 mod validate;
 
-pub use card::read_card;
+pub use card::{CardSource, read_card};
 pub use load::{Case, load, resolved_ron};
 pub use material::{Material, MaterialCard, Property, Quantity};
 pub use problem::{CaseError, Problem};

@@ -1,6 +1,7 @@
 //! What is wrong with a case, where, and what would be right.
 
 use std::fmt;
+use std::sync::Arc;
 
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use thiserror::Error;
@@ -11,8 +12,6 @@ use thiserror::Error;
 pub struct Problem {
     /// file:line:column, or the file alone, or the argument of the command line.
     pub place: String,
-    /// The path of the field, as in `part.size_m.0`; empty when the whole file is meant.
-    pub field: String,
     /// The field, what was found, and why it cannot be.
     pub message: String,
     /// What is accepted, and what to try.
@@ -20,7 +19,7 @@ pub struct Problem {
     pub remedy: String,
     /// The file, for the excerpt.
     #[source_code]
-    pub text: NamedSource<String>,
+    pub text: Arc<NamedSource<String>>,
     /// The bytes of the value in the file.
     #[label("here")]
     pub span: Option<SourceSpan>,
@@ -31,10 +30,9 @@ impl Problem {
     pub fn without_text(place: &str, message: String, remedy: String) -> Problem {
         Problem {
             place: place.to_string(),
-            field: String::new(),
             message,
             remedy,
-            text: NamedSource::new(place, String::new()),
+            text: Arc::new(NamedSource::new(place, String::new())),
             span: None,
         }
     }

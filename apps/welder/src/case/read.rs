@@ -106,6 +106,7 @@ fn accepted(error: &Error) -> String {
         Error::ExpectedBoolean => "true or false".into(),
         Error::ExpectedString => "a text in double quotes, as in \"aluminium\"".into(),
         Error::ExpectedArray => "a list in square brackets, as in [1.0, 2.0]".into(),
+        Error::ExpectedIdentifier => "a field name, as in (field: value)".into(),
         Error::ExpectedMap => "a map in braces, as in {\"name\": (...)}".into(),
         Error::ExpectedStructLike | Error::ExpectedNamedStructLike(_) => {
             "round brackets with fields, as in (field: value), or Name(field: value); Name() takes all defaults".into()

@@ -1,9 +1,11 @@
 //! Where each value stands in a RON text: a tree of byte ranges, without the values themselves.
 //!
 //! The `ron` crate parses values but forgets their places; later checks need them. This scanner knows the shape of
-//! RON only: structs, enum variants, tuples, lists, maps, strings, raw strings, comments.
+//! RON only: structs, enum variants, tuples, lists, maps.
 
 use std::ops::Range;
+
+use super::lex::{LexError, Lexer};
 
 /// A value and the bytes it fills, the name of its struct or variant included.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -54,95 +56,38 @@ const MAX_DEPTH: usize = 64;
 
 /// Scans a whole text: one value with comments around it.
 pub fn scan(text: &str) -> Result<Node, ScanError> {
-    let mut scanner = Scanner { text, at: 0, path: Vec::new() };
-    scanner.skip_attributes()?;
-    let root = scanner.value()?;
-    scanner.skip_blank()?;
-    if scanner.at < text.len() {
-        let found = scanner.found();
-        return Err(scanner.error(format!("{found} after the end of the value; nothing more is accepted")));
-    }
-    Ok(root)
+    let mut scanner = Scanner { lexer: Lexer::new(text), path: Vec::new() };
+    scanner.document().map_err(|error| ScanError {
+        offset: error.offset,
+        path: scanner.path.join("."),
+        message: error.message,
+    })
 }
 
+/// Reads values; `path` is left as it is when an error ends the scan, so that the error can name its field.
 struct Scanner<'a> {
-    text: &'a str,
-    at: usize,
+    lexer: Lexer<'a>,
     path: Vec<String>,
 }
 
 impl Scanner<'_> {
-    fn rest(&self) -> &str {
-        &self.text[self.at..]
-    }
-
-    fn error(&self, message: String) -> ScanError {
-        ScanError { offset: self.at, path: self.path.join("."), message }
-    }
-
-    fn found(&self) -> String {
-        match self.rest().chars().next() {
-            Some(character) => format!("found `{character}`"),
-            None => "the file ends here".to_string(),
+    fn document(&mut self) -> Result<Node, LexError> {
+        self.lexer.skip_attributes()?;
+        let root = self.value()?;
+        self.lexer.skip_blank()?;
+        match self.lexer.rest().is_empty() {
+            true => Ok(root),
+            false => Err(self.lexer.unexpected("nothing more after the end of the value")),
         }
     }
 
-    fn take(&mut self, token: &str) -> bool {
-        let hit = self.rest().starts_with(token);
-        if hit {
-            self.at += token.len();
-        }
-        hit
-    }
-
-    fn skip_blank(&mut self) -> Result<(), ScanError> {
-        loop {
-            let rest = self.rest();
-            self.at += rest.len() - rest.trim_start().len();
-            if self.rest().starts_with("//") {
-                self.at += self.rest().find('\n').unwrap_or(self.rest().len());
-            } else if self.rest().starts_with("/*") {
-                self.block_comment()?;
-            } else {
-                return Ok(());
-            }
-        }
-    }
-
-    fn block_comment(&mut self) -> Result<(), ScanError> {
-        let unclosed = self.error("this comment `/*` is never closed by `*/`".to_string());
-        let mut depth = 0;
-        loop {
-            if self.take("/*") {
-                depth += 1;
-            } else if self.take("*/") {
-                depth -= 1;
-                if depth == 0 {
-                    return Ok(());
-                }
-            } else {
-                self.at += self.rest().chars().next().ok_or_else(|| unclosed.clone())?.len_utf8();
-            }
-        }
-    }
-
-    fn skip_attributes(&mut self) -> Result<(), ScanError> {
-        self.skip_blank()?;
-        while self.rest().starts_with("#![") {
-            let end = self.rest().find(']').ok_or_else(|| self.error("`#![` is never closed".to_string()))?;
-            self.at += end + 1;
-            self.skip_blank()?;
-        }
-        Ok(())
-    }
-
-    fn value(&mut self) -> Result<Node, ScanError> {
-        self.skip_blank()?;
+    fn value(&mut self) -> Result<Node, LexError> {
+        self.lexer.skip_blank()?;
         if self.path.len() > MAX_DEPTH {
-            return Err(self.error(format!("nested deeper than {MAX_DEPTH} levels")));
+            return Err(self.lexer.unexpected(&format!("at most {MAX_DEPTH} nested levels")));
         }
-        let start = self.at;
-        match self.rest().chars().next() {
+        let start = self.lexer.at;
+        match self.lexer.rest().chars().next() {
             Some('(') => self.bracketed(start, ')'),
             Some('[') => self.bracketed(start, ']'),
             Some('{') => self.bracketed(start, '}'),
@@ -150,146 +95,94 @@ impl Scanner<'_> {
         }
     }
 
-    fn scalar_or_named(&mut self, start: usize) -> Result<Node, ScanError> {
-        if !self.take_string()? && self.take_word().is_empty() {
-            let found = self.found();
-            return Err(self.error(format!("{found}, expected a value")));
+    fn scalar_or_named(&mut self, start: usize) -> Result<Node, LexError> {
+        let is_string = self.lexer.take_string()?;
+        if !is_string && self.lexer.take_word().is_empty() {
+            return Err(self.lexer.unexpected("a value"));
         }
-        let end = self.at;
-        let name = &self.text[start..end];
-        let can_have_brackets = name.starts_with(|first: char| first.is_alphabetic() || first == '_');
-        if can_have_brackets && !name.contains('"') {
-            let some = name == "Some";
-            self.skip_blank()?;
-            if self.rest().starts_with('(') {
-                let mut node = self.bracketed(start, ')')?;
-                return Ok(if some { unwrap_some(&mut node) } else { node });
+        let end = self.lexer.at;
+        let name = self.lexer.text[start..end].to_string();
+        let is_name = !is_string && name.starts_with(|first: char| first.is_alphabetic() || first == '_');
+        if is_name {
+            self.lexer.skip_blank()?;
+            if self.lexer.rest().starts_with('(') {
+                let node = self.bracketed(start, ')')?;
+                return Ok(if name == "Some" { unwrap_some(node) } else { node });
             }
-            self.at = end;
+            self.lexer.at = end;
         }
         Ok(Node { span: start..end, inside: start..end, content: Content::Scalar })
     }
 
-    fn take_word(&mut self) -> String {
-        let word = |character: char| character.is_alphanumeric() || "_.+-#".contains(character);
-        let length = self.rest().find(|character| !word(character)).unwrap_or(self.rest().len());
-        let taken = self.rest()[..length].to_string();
-        self.at += length;
-        taken
-    }
-
-    /// Takes a string, raw string, byte string or character; says whether there was one.
-    fn take_string(&mut self) -> Result<bool, ScanError> {
-        let unclosed = self.error("this string is never closed".to_string());
-        let prefix = self.rest().len() - self.rest().trim_start_matches(['b', 'r']).len();
-        let raw = self.rest()[..prefix.min(2)].contains('r');
-        let hashes = self.rest()[prefix..].bytes().take_while(|&byte| byte == b'#').count();
-        let body = &self.rest()[prefix.min(2)..];
-        if prefix <= 2 && raw && body[hashes..].starts_with('"') {
-            let close = format!("\"{}", "#".repeat(hashes));
-            let length = body[hashes + 1..].find(&close).ok_or(unclosed)?;
-            self.at += prefix + hashes + 1 + length + close.len();
-            return Ok(true);
-        }
-        if prefix <= 1 && !raw && body.starts_with(['"', '\'']) {
-            let length = closing_quote(body).ok_or(unclosed)?;
-            self.at += prefix + length;
-            return Ok(true);
-        }
-        Ok(false)
-    }
-
-    fn bracketed(&mut self, start: usize, close: char) -> Result<Node, ScanError> {
-        let open_at = self.at;
-        self.at += 1;
-        let mut fields = Vec::new();
-        let mut items = Vec::new();
+    fn bracketed(&mut self, start: usize, close: char) -> Result<Node, LexError> {
+        let open_at = self.lexer.at;
+        self.lexer.at += 1;
+        let (mut fields, mut items) = (Vec::new(), Vec::new());
         loop {
-            self.skip_blank()?;
-            if self.rest().starts_with(close) {
+            self.lexer.skip_blank()?;
+            if self.lexer.rest().starts_with(close) {
                 break;
             }
-            if self.rest().is_empty() {
-                let bracket = &self.text[open_at..=open_at];
+            if self.lexer.rest().is_empty() {
+                let bracket = &self.lexer.text[open_at..=open_at];
                 let message = format!("the bracket `{bracket}` is never closed by `{close}`");
-                return Err(ScanError { offset: open_at, path: self.path.join("."), message });
+                return Err(LexError { offset: open_at, message });
             }
             match self.key(close)? {
-                Some((name, key)) => fields.push(self.field(name, key)?),
-                None => items.push(self.item(items.len())?),
+                Some((name, key)) => fields.push(Field { value: self.at_segment(name.clone())?, name, key }),
+                None => items.push(self.at_segment(items.len().to_string())?),
             }
             self.separator(close)?;
         }
-        let inside = open_at + 1..self.at;
-        self.at += 1;
+        let inside = open_at + 1..self.lexer.at;
+        self.lexer.at += 1;
         let content = if fields.is_empty() { Content::Items(items) } else { Content::Fields(fields) };
-        Ok(Node { span: start..self.at, inside, content })
+        Ok(Node { span: start..self.lexer.at, inside, content })
     }
 
-    fn separator(&mut self, close: char) -> Result<(), ScanError> {
-        self.skip_blank()?;
-        if self.take(",") || self.rest().starts_with(close) || self.rest().is_empty() {
+    fn separator(&mut self, close: char) -> Result<(), LexError> {
+        self.lexer.skip_blank()?;
+        let rest = self.lexer.rest();
+        if rest.starts_with(close) || rest.is_empty() || self.lexer.take(",") {
             return Ok(());
         }
-        let found = self.found();
-        Err(self.error(format!("{found}, expected `,` or `{close}`")))
+        Err(self.lexer.unexpected(&format!("`,` or `{close}`")))
     }
 
-    fn field(&mut self, name: String, key: Range<usize>) -> Result<Field, ScanError> {
-        self.path.push(name.clone());
-        let value = self.value()?;
-        self.path.pop();
-        Ok(Field { name, key, value })
-    }
-
-    fn item(&mut self, index: usize) -> Result<Node, ScanError> {
-        self.path.push(index.to_string());
+    fn at_segment(&mut self, segment: String) -> Result<Node, LexError> {
+        self.path.push(segment);
         let value = self.value()?;
         self.path.pop();
         Ok(value)
     }
 
     /// The key before a value, up to and with its colon; in `( )` and `[ ]` there may be none.
-    fn key(&mut self, close: char) -> Result<Option<(String, Range<usize>)>, ScanError> {
-        let start = self.at;
-        if !self.take_string()? {
-            self.take_word();
+    fn key(&mut self, close: char) -> Result<Option<(String, Range<usize>)>, LexError> {
+        let start = self.lexer.at;
+        if !self.lexer.take_string()? {
+            self.lexer.take_word();
         }
-        let key = start..self.at;
-        self.skip_blank()?;
-        let is_key = !key.is_empty() && close != ']' && self.take(":");
+        let key = start..self.lexer.at;
+        self.lexer.skip_blank()?;
+        let is_key = !key.is_empty() && close != ']' && self.lexer.take(":");
+        if !is_key && close == '}' {
+            return Err(self.lexer.unexpected("`key: value`"));
+        }
         if !is_key {
-            if close == '}' {
-                let found = self.found();
-                return Err(self.error(format!("{found}, expected `key: value`")));
-            }
-            self.at = start;
+            self.lexer.at = start;
             return Ok(None);
         }
-        let name = self.text[key.clone()].trim_start_matches("r#").trim_matches('"').to_string();
+        let name = self.lexer.text[key.clone()].trim_start_matches("r#").trim_matches('"').to_string();
         Ok(Some((name, key)))
     }
 }
 
-/// `Some(value)` is `value`, with the span of the whole.
-fn unwrap_some(node: &mut Node) -> Node {
+/// `Some(value)` is `value`.
+fn unwrap_some(mut node: Node) -> Node {
     match &mut node.content {
         Content::Items(items) if items.len() == 1 => items.remove(0),
-        _ => node.clone(),
+        _ => node,
     }
-}
-
-/// Length of a quoted text with its quotes; a backslash takes the next character with it.
-fn closing_quote(text: &str) -> Option<usize> {
-    let quote = text.chars().next()?;
-    let mut escaped = false;
-    for (at, character) in text.char_indices().skip(1) {
-        if !escaped && character == quote {
-            return Some(at + 1);
-        }
-        escaped = !escaped && character == '\\';
-    }
-    None
 }
 
 #[cfg(test)]

@@ -39,9 +39,7 @@ fn split(argument: &str) -> Result<(&str, &str), Problem> {
 }
 
 fn refuse(argument: &str, reason: &str, remedy: String) -> Problem {
-    let mut problem = Problem::without_text(&format!("--set {argument}"), reason.to_string(), remedy);
-    problem.field = argument.split('=').next().unwrap_or_default().to_string();
-    problem
+    Problem::without_text(&format!("--set {argument}"), reason.to_string(), remedy)
 }
 
 /// Shells eat quotes: a bare word that replaces a quoted text is quoted.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use miette::NamedSource;
 
@@ -114,10 +115,9 @@ impl Source {
         };
         Problem {
             place: format!("{name}:{line}:{column}"),
-            field: field.to_string(),
             message,
             remedy,
-            text: NamedSource::new(name, self.text.clone()),
+            text: Arc::new(NamedSource::new(name, self.text.clone())),
             span: Some(span.into()),
         }
     }

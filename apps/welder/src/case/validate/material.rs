@@ -1,0 +1,99 @@
+//! Material cards: plausible values, solidus below liquidus below boiling, tables that ascend, a source for all.
+
+use super::super::card::CardSource;
+use super::super::material::Property;
+use super::super::problem::Problem;
+use super::findings::Findings;
+use super::plausible::{
+    BOILING, CONDUCTIVITY, DENSITY, HEAT_CAPACITY, LATENT_HEAT, MELTING, Range, TABLE_TEMPERATURE, number,
+};
+
+/// Least distance of solidus and liquidus in kelvin; below it the slope of the enthalpy curve has no use.
+const LEAST_MELTING_RANGE_K: f64 = 0.1;
+
+/// All findings in one card.
+pub fn check(card: &CardSource) -> Vec<Problem> {
+    let mut findings = Findings::new(&card.source, &card.prefix);
+    let mut fine = true;
+    for (name, quantity) in card.card.quantities() {
+        fine &= findings.within(&format!("{name}.value"), quantity.value, quantity_range(name));
+        check_source(&mut findings, name, &quantity.source);
+    }
+    if fine {
+        check_order(&mut findings, card);
+    }
+    for (name, property) in card.card.properties() {
+        let range = if name.starts_with("heat") { &HEAT_CAPACITY } else { &CONDUCTIVITY };
+        check_property(&mut findings, name, property, range);
+        check_source(&mut findings, name, &property.source);
+    }
+    findings.into_problems()
+}
+
+fn quantity_range(name: &str) -> &'static Range {
+    match name {
+        "density_kg_m3" => &DENSITY,
+        "latent_heat_j_kg" => &LATENT_HEAT,
+        "boiling_k" => &BOILING,
+        _ => &MELTING,
+    }
+}
+
+fn check_source(findings: &mut Findings, name: &str, source: &str) {
+    let remedy = "say where the number comes from; `approximate` or `assumed` if that is all there is";
+    findings.require(
+        !source.trim().is_empty(),
+        &format!("{name}.source"),
+        "every value needs its source",
+        remedy,
+    );
+}
+
+fn check_order(findings: &mut Findings, card: &CardSource) {
+    let (solidus_k, liquidus_k) = (card.card.solidus_k.value, card.card.liquidus_k.value);
+    let reason = format!("not below the liquidus, {} K", number(liquidus_k));
+    let remedy =
+        "accepted: solidus_k below liquidus_k; a pure metal gets a range of 1 K around its melting point";
+    let ordered = findings.require(solidus_k < liquidus_k, "solidus_k.value", &reason, remedy);
+    if ordered {
+        let reason =
+            format!("less than {LEAST_MELTING_RANGE_K} K below the liquidus, {} K", number(liquidus_k));
+        findings.require(liquidus_k - solidus_k >= LEAST_MELTING_RANGE_K, "solidus_k.value", &reason, remedy);
+    }
+    if let Some(boiling) = &card.card.boiling_k {
+        let reason = format!("not above the liquidus, {} K", number(liquidus_k));
+        let remedy = "accepted: boiling_k above liquidus_k";
+        findings.require(boiling.value > liquidus_k, "boiling_k.value", &reason, remedy);
+    }
+}
+
+fn check_property(findings: &mut Findings, name: &str, property: &Property, range: &Range) {
+    match (property.value, &property.table) {
+        (Some(value), None) => {
+            findings.within(&format!("{name}.value"), value, range);
+        }
+        (None, Some(table)) => check_table(findings, name, table, range),
+        _ => findings.refuse(
+            name,
+            "value and table are either both given or both missing",
+            "accepted: (value: 1050.0, source: \"..\") or (table: [(300.0, 900.0), (800.0, 1100.0)], source: \"..\")",
+        ),
+    }
+}
+
+fn check_table(findings: &mut Findings, name: &str, table: &[(f64, f64)], range: &Range) {
+    let field = format!("{name}.table");
+    let remedy =
+        "accepted: [(temperature_k, value), ...] with at least two points; or value: .. for a constant";
+    findings.require(table.len() >= 2, &field, "fewer than two points", remedy);
+    for (index, &(temperature_k, value)) in table.iter().enumerate() {
+        findings.within(&format!("{field}.{index}.0"), temperature_k, &TABLE_TEMPERATURE);
+        findings.within(&format!("{field}.{index}.1"), value, range);
+    }
+    for (index, pair) in table.windows(2).enumerate() {
+        let reason = format!("not above the temperature before it, {} K", number(pair[0].0));
+        let remedy = "accepted: temperatures that ascend from point to point";
+        let ascends = pair[0].0 < pair[1].0 || pair[0].0.is_nan() || pair[1].0.is_nan();
+        findings.require(ascends, &format!("{field}.{}.0", index + 1), &reason, remedy);
+    }
+}

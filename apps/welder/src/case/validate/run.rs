@@ -1,0 +1,102 @@
+//! Physics, time, output and budget.
+
+use super::super::nearest::suggestion;
+use super::super::scene::{Heat, OUTPUT_FIELDS, Physics, Scene, Stepping};
+use super::findings::Findings;
+use super::plausible::{DURATION, SMOOTHING_RATIO, STEP_FACTOR, TOLERANCE, number};
+
+/// Most frames, rows or checkpoints of one run; more is a slip in an interval, not a wish.
+const MOST_OUTPUTS: f64 = 1e6;
+
+/// Checks the list of physics, the end of the run, what it writes and what it may cost.
+pub fn check(findings: &mut Findings, scene: &Scene) {
+    check_physics(findings, scene);
+    let end_is_fine = findings.within("time.end_s", scene.time.end_s, &DURATION);
+    check_intervals(findings, scene, end_is_fine);
+    check_fields(findings, scene);
+    check_budget(findings, scene);
+}
+
+fn check_physics(findings: &mut Findings, scene: &Scene) {
+    let listed = !scene.physics.is_empty();
+    findings.require(listed, "physics", "nothing to compute", "list at least one physics: physics: [Heat()]");
+    for (index, physics) in scene.physics.iter().enumerate() {
+        let first = scene.physics.iter().position(|other| other.name() == physics.name());
+        let reason = format!("{} is listed before, at physics.{}", physics.name(), first.unwrap_or(0));
+        findings.require(
+            first == Some(index),
+            &format!("physics.{index}"),
+            &reason,
+            "list each physics once",
+        );
+        match physics {
+            Physics::Heat(heat) => check_heat(findings, &format!("physics.{index}"), heat),
+        }
+    }
+}
+
+fn check_heat(findings: &mut Findings, field: &str, heat: &Heat) {
+    if let Some(ratio) = heat.smoothing_ratio {
+        findings.within(&format!("{field}.smoothing_ratio"), ratio, &SMOOTHING_RATIO);
+    }
+    let stepping = format!("{field}.stepping");
+    match heat.stepping {
+        Stepping::SuperSteps { tolerance_k, max_stages } => {
+            findings.within(&format!("{stepping}.tolerance_k"), tolerance_k, &TOLERANCE);
+            let fine = (3..=1000).contains(&max_stages);
+            findings.require(
+                fine,
+                &format!("{stepping}.max_stages"),
+                "not a usable number of stages",
+                "accepted: 3 to 1000",
+            );
+        }
+        Stepping::Euler { factor } => {
+            findings.within(&format!("{stepping}.factor"), factor, &STEP_FACTOR);
+        }
+    }
+}
+
+fn check_intervals(findings: &mut Findings, scene: &Scene, end_is_fine: bool) {
+    let output = &scene.output;
+    let intervals = [
+        ("frame_interval_s", output.frame_interval_s),
+        ("history_interval_s", output.history_interval_s),
+        ("checkpoint_interval_s", output.checkpoint_interval_s),
+    ];
+    for (name, interval_s) in intervals {
+        let field = format!("output.{name}");
+        let Some(interval_s) = interval_s else { continue };
+        if !findings.within(&field, interval_s, &DURATION) || !end_is_fine {
+            continue;
+        }
+        let count = scene.time.end_s / interval_s;
+        let reason = format!("{} outputs in {} s", number(count.floor()), number(scene.time.end_s));
+        let remedy = format!("accepted: at least {} s", number(scene.time.end_s / MOST_OUTPUTS));
+        findings.require(count <= MOST_OUTPUTS, &field, &reason, remedy);
+    }
+}
+
+fn check_fields(findings: &mut Findings, scene: &Scene) {
+    let fields = &scene.output.fields;
+    for (index, name) in fields.iter().enumerate() {
+        let place = format!("output.fields.{index}");
+        let known = OUTPUT_FIELDS.contains(&name.as_str());
+        let twice = fields[..index].contains(name);
+        findings.require(known, &place, "there is no such output field", suggestion(name, OUTPUT_FIELDS));
+        findings.require(!twice, &place, "listed twice", "list each field once");
+    }
+}
+
+fn check_budget(findings: &mut Findings, scene: &Scene) {
+    let budget = &scene.budget;
+    let limits = [
+        ("max_particles", Some(budget.max_particles)),
+        ("max_steps", Some(budget.max_steps)),
+        ("max_memory_bytes", budget.max_memory_bytes),
+    ];
+    for (name, limit) in limits {
+        let field = format!("budget.{name}");
+        findings.require(limit != Some(0), &field, "a budget of zero allows nothing", "accepted: 1 or more");
+    }
+}

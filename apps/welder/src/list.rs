@@ -1,0 +1,57 @@
+//! `welder list`: the cases and materials that come with the program.
+
+use std::path::Path;
+
+use crate::case::{MaterialCard, library, load, read_card};
+use crate::cli::ExitStatus;
+
+/// Prints the lists to standard output.
+pub fn command() -> ExitStatus {
+    match library::cases_folder() {
+        Some(cases) => println!("{}\n{}", cases_list(&cases), materials_list(&cases.join("materials"))),
+        None => println!("no folder `cases` was found here or where the program was built"),
+    }
+    ExitStatus::Done
+}
+
+fn cases_list(cases: &Path) -> String {
+    let mut text = "Cases\n".to_string();
+    for folder in library::case_folders(cases) {
+        let title = match load(&folder, &[]) {
+            Ok(case) => case.scene.title,
+            Err(_) => "cannot be read; `welder check` says why".to_string(),
+        };
+        text += &format!("  {:<36} {title}\n", folder.display().to_string());
+    }
+    text
+}
+
+fn materials_list(folder: &Path) -> String {
+    let mut text = "Materials\n".to_string();
+    for name in library::material_names(folder) {
+        let summary = match read_card(&folder.join(format!("{name}.ron"))) {
+            Ok(read) => summary(&read.card),
+            Err(_) => "cannot be read; `welder check` of a case that uses it says why".to_string(),
+        };
+        text += &format!("  {name:<36} {summary}\n");
+    }
+    text
+}
+
+fn summary(card: &MaterialCard) -> String {
+    format!("{}; solidus {} K, liquidus {} K", card.title, card.solidus_k.value, card.liquidus_k.value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_and_material_can_be_read() {
+        let cases = library::cases_folder().unwrap();
+        let (case_text, material_text) = (cases_list(&cases), materials_list(&cases.join("materials")));
+        assert!(case_text.contains("spot-aluminium") && case_text.contains("seam-aluminium"), "{case_text}");
+        assert!(material_text.contains("solidus 1410 K, liquidus 1620 K"), "{material_text}");
+        assert!(!(case_text + &material_text).contains("cannot be read"));
+    }
+}

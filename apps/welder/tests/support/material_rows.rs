@@ -1,0 +1,49 @@
+//! Wrong cases: material cards.
+
+use super::Row;
+
+/// Faults of the material card.
+pub const MATERIALS: &[Row] = &[
+    ("2500.0", "-2500.0", "-2500.0", &["density_kg_m3.value", "negative"]),
+    ("2500.0", "2.5", "2.5,", &["density_kg_m3.value", "g/cm3 (then write 2500)"]),
+    (
+        "(value: 2500.0, source: \"test\")",
+        "2500.0",
+        "2500.0",
+        &["density_kg_m3", "found `2500.0`", "round brackets"],
+    ),
+    ("(value: 847.0", "(value: 950.0", "950.0", &["solidus_k.value", "not below the liquidus, 905 K"]),
+    ("(value: 847.0", "(value: 905.0", "905.0", &["solidus_k.value", "1 K"]),
+    ("3.97e5", "-3.97e5", "-3.97e5", &["latent_heat_j_kg.value", "negative"]),
+    ("3.97e5", "397", "397", &["latent_heat_j_kg.value", "kJ/kg or J/g (then write 3.97e5)"]),
+    ("2790.0", "880.0", "880.0", &["boiling_k.value", "liquidus"]),
+    ("value: 200.0", "value: 0.2", "0.2", &["conductivity_solid_w_m_k.value", "W/(mm K) (then write 200)"]),
+    (
+        "value: 200.0",
+        "value: 200.0, table: [(1, 2)]",
+        "(value: 200.0",
+        &["conductivity_solid_w_m_k", "both given"],
+    ),
+    ("(value: 200.0, ", "(", "(source", &["conductivity_solid_w_m_k", "table:"]),
+    ("(847.0, 1050.0)", "(250.0, 1050.0)", "250.0", &["heat_capacity_solid_j_kg_k.table.1.0", "ascend"]),
+    ("(847.0, 1050.0)", "(847.0, inf)", "inf", &["heat_capacity_solid_j_kg_k.table.1.1", "finite"]),
+    (", (847.0, 1050.0)", "", "[(300", &["heat_capacity_solid_j_kg_k.table", "two points"]),
+    (
+        "value: 1180.0, source: \"test\"",
+        "value: 1180.0, source: \" \"",
+        "\" \"",
+        &["heat_capacity_liquid_j_kg_k.source", "source"],
+    ),
+    (
+        "value: 1180.0, source: \"test\"",
+        "value: 1180.0",
+        "heat_capacity_liquid",
+        &["heat_capacity_liquid_j_kg_k.source", "add `source"],
+    ),
+    (
+        "latent_heat_j_kg",
+        "latent_heat",
+        "latent_heat",
+        &["unknown field `latent_heat`", "did you mean `latent_heat_j_kg`"],
+    ),
+];

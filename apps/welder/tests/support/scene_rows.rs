@@ -1,0 +1,96 @@
+//! Wrong cases: form and values of the scene.
+
+use super::Row;
+
+/// Faults of form: brackets, names, types.
+pub const FORM: &[Row] = &[
+    (
+        "spacing_m:",
+        "spacing:",
+        "spacing:",
+        &["resolution.spacing", "unknown field", "did you mean `spacing_m`"],
+    ),
+    ("title:", "Title:", "Title:", &["Title", "did you mean `title`"]),
+    (
+        "Symmetry, y_min",
+        "Symetry, y_min",
+        "Symetry",
+        &["part.faces.x_min", "did you mean `Symmetry`", "Adiabatic"],
+    ),
+    ("Heat()", "Flow()", "Flow", &["physics.0", "`Flow`", "accepted: Heat"]),
+    ("Heat()", "Heat", "Heat", &["physics.0", "found `Heat`", "Name()"]),
+    ("Heat()", "Heat(kernel: Wendland)", "Wendland", &["physics.0.kernel", "did you mean `WendlandC2`"]),
+    ("Heat()", "Heat(stepping: Euler(facto: 0.5))", "facto:", &["physics.0.stepping.facto", "`factor`"]),
+    ("293.0", "\"warm\"", "\"warm\"", &["part.start_k", "found `\"warm\"`", "a number"]),
+    ("\"metal\"", "metal", "metal,", &["part.material", "found `metal`", "double quotes"]),
+    (
+        "max_particles: 20000000",
+        "max_particles: 1e9",
+        "1e9",
+        &["budget.max_particles", "1e9", "whole number"],
+    ),
+    ("max_particles: 20000000", "max_particles: -5", "-5", &["budget.max_particles", "-5", "whole number"]),
+    ("(6.0e-3, 4.0e-3, 3.0e-3)", "(6.0e-3, 4.0e-3)", "(6.0e-3, 4", &["part.size_m", "length 3"]),
+    ("[Heat()]", "Heat()", "Heat()", &["physics", "square brackets"]),
+    ("        start_k: 293.0,\n", "", "part: (", &["part.start_k", "found nothing", "add `start_k"]),
+    ("    time: (end_s: 0.03),\n", "", "(", &["time", "found nothing", "add `time"]),
+    ("start_k: 293.0", "start_k: 293.0, start_k: 300.0", "start_k: 300", &["part.start_k", "second time"]),
+    ("disorder: 0.1),", "disorder: 0.1", "laser:", &["resolution", "expected `,` or `)`"]),
+    ("disorder: 0.1),", "disorder: 0.1,", "(", &["the file", "`(` is never closed"]),
+    ("start_k: 293.0,", "start_k: 293.0", "faces:", &["part", "expected `,`"]),
+    ("\"a test\"", "\"a test", "\"a test", &["title", "never closed"]),
+    (
+        "radius_1e2_m: 0.6e-3",
+        "",
+        "Gaussian()",
+        &["laser.beam", "exactly one of radius_1e_m and radius_1e2_m"],
+    ),
+    ("radius_1e2_m", "radius_m", "radius_m", &["laser.beam.radius_m", "unknown field", "radius_1e2_m"]),
+];
+
+/// Values that cannot be, or that stand in another unit.
+pub const VALUES: &[Row] = &[
+    ("(6.0e-3, 4", "(-6.0e-3, 4", "-6.0e-3", &["part.size_m.0", "found `-6.0e-3`", "negative"]),
+    ("(6.0e-3, 4", "(6.0, 4", "6.0, 4", &["part.size_m.0", "found `6.0`", "mm (then write 6e-3)"]),
+    ("(6.0e-3, 4", "(NaN, 4", "NaN", &["part.size_m.0", "found `NaN`", "not a finite number"]),
+    ("(6.0e-3, 4", "(inf, 4", "inf", &["part.size_m.0", "not a finite number"]),
+    ("(6.0e-3, 4", "(0.0, 4", "0.0, 4", &["part.size_m.0", "zero"]),
+    ("50.0e-6", "50", "50,", &["resolution.spacing_m", "found `50`", "um (then write 5e-5)"]),
+    ("50.0e-6", "0.05", "0.05", &["resolution.spacing_m", "mm (then write 5e-5)"]),
+    ("50.0e-6", "0", "0, dis", &["resolution.spacing_m", "zero"]),
+    ("disorder: 0.1", "disorder: 0.5", "0.5", &["resolution.disorder", "0 to 0.3"]),
+    ("293.0", "20", "20,", &["part.start_k", "found `20`", "Celsius (then write 293.15)"]),
+    ("293.0", "0.5", "0.5,", &["part.start_k", "found `0.5`"]),
+    ("293.0", "3000.0", "3000.0", &["part.start_k", "boiling", "below 2790 K"]),
+    ("power_w: 1250.0", "power_w: 0.5", "0.5)", &["laser.path.pulse.power_w", "kW (then write 500)"]),
+    ("power_w: 1250.0", "power_w: -1250.0", "-1250", &["laser.path.pulse.power_w", "negative"]),
+    ("0.6e-3", "600", "600", &["laser.beam.radius_1e2_m", "found `600`", "um (then write 6e-4)"]),
+    ("absorptivity: 0.4", "absorptivity: 1.2", "1.2", &["laser.absorption.absorptivity", "0 to 1"]),
+    (
+        "absorptivity: 0.4",
+        "absorptivity: 40",
+        "40)",
+        &["laser.absorption.absorptivity", "per cent (then write 0.4)"],
+    ),
+    ("duration_s: 0.015", "duration_s: 0", "0, power", &["laser.path.pulse.duration_s", "zero"]),
+    ("end_s: 0.03", "end_s: -0.03", "-0.03", &["time.end_s", "negative"]),
+    ("end_s: 0.03", "end_s: 1.0e6", "1.0e6", &["time.end_s", "ms"]),
+    ("[Heat()]", "[]", "[],", &["physics", "found `[]`", "Heat()"]),
+    ("[Heat()]", "[Heat(), Heat()]", "Heat()]", &["physics.1", "listed before"]),
+    ("Heat()", "Heat(smoothing_ratio: 12)", "12)", &["physics.0.smoothing_ratio", "0.5 to 3"]),
+    ("Heat()", "Heat(stepping: Euler(factor: 1.5))", "1.5", &["physics.0.stepping.factor", "to 1"]),
+    ("frame_interval_s: 1.0e-3", "frame_interval_s: 0", "0, fields", &["output.frame_interval_s", "zero"]),
+    (
+        "frame_interval_s: 1.0e-3",
+        "history_interval_s: 1e-8",
+        "1e-8",
+        &["output.history_interval_s", "at least"],
+    ),
+    (
+        "[\"temperature_k\"]",
+        "[\"temperature\"]",
+        "\"temperature\"",
+        &["output.fields.0", "did you mean `temperature_k`"],
+    ),
+    ("max_particles: 20000000", "max_particles: 0", "0),\n)", &["budget.max_particles", "1 or more"]),
+];
