@@ -41,8 +41,8 @@ fn check_heat(findings: &mut Findings, field: &str, heat: &Heat) {
     }
     let stepping = format!("{field}.stepping");
     match heat.stepping {
-        Stepping::SuperSteps { tolerance_k, max_stages } => {
-            findings.within(&format!("{stepping}.tolerance_k"), tolerance_k, &TOLERANCE);
+        Stepping::SuperSteps { tolerance, max_stages } => {
+            findings.within(&format!("{stepping}.tolerance"), tolerance, &TOLERANCE);
             let fine = (3..=1000).contains(&max_stages);
             findings.require(
                 fine,
