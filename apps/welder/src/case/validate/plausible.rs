@@ -78,7 +78,7 @@ pub const DISORDER: Range = range("spacings", 0.0, 0.3, PERCENT);
 /// Smoothing length over spacing.
 pub const SMOOTHING_RATIO: Range = range("", 0.5, 3.0, &[]);
 /// Temperature error of one step.
-pub const TOLERANCE: Range = range("K", 1e-6, 1000.0, &[]);
+pub const TOLERANCE: Range = range("of the heat taken up", 1e-9, 10.0, &[]);
 /// Part of the largest stable step.
 pub const STEP_FACTOR: Range = range("", 1e-3, 1.0, PERCENT);
 
