@@ -10,4 +10,5 @@ pub mod model;
 pub mod observe;
 pub mod particles;
 pub mod physics;
+pub mod precision;
 pub mod run;

@@ -27,7 +27,8 @@ fn dispatch(command: Command) -> ExitStatus {
         Command::List => welder::list::command(),
         Command::Check(arguments) => welder::check::command(&arguments),
         Command::Run(arguments) => welder::run::command(&arguments),
-        Command::Verify(_) | Command::Precision(_) => {
+        Command::Precision(arguments) => welder::precision::command(&arguments),
+        Command::Verify(_) => {
             tracing::error!("this command is not built yet");
             ExitStatus::RunFailed
         }
