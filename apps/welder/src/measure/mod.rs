@@ -4,6 +4,6 @@ mod gauge;
 mod interpolate;
 mod isotherm;
 
-pub use gauge::{Gauge, Measure};
+pub use gauge::{Gauge, Map, Measure};
 pub use interpolate::Sampler;
 pub use isotherm::Extent;

@@ -59,7 +59,11 @@ struct SourceRule {
 }
 
 impl StepSize {
-    pub(super) fn new(stepping: Stepping, laser: Option<&LaserSource>, euler: f64) -> Result<Self, ModelError> {
+    pub(super) fn new(
+        stepping: Stepping,
+        laser: Option<&LaserSource>,
+        euler: f64,
+    ) -> Result<Self, ModelError> {
         let (controller, largest_stages, stable) = match stepping {
             Stepping::SuperSteps { tolerance, max_stages } => {
                 // RKL2 takes odd numbers of stages, three at least.
@@ -151,7 +155,8 @@ impl StepSize {
 
 fn source_rules(laser: &LaserSource) -> Vec<SourceRule> {
     let speed = laser.track().max_speed();
-    let by_speed = if speed > 0.0 { BEAM_RADII_PER_STEP * laser.beam().radius_m() / speed } else { f64::INFINITY };
+    let by_speed =
+        if speed > 0.0 { BEAM_RADII_PER_STEP * laser.beam().radius_m() / speed } else { f64::INFINITY };
     let rule = |[from, to]: [f64; 2]| {
         let by_pulse = if speed > 0.0 { f64::INFINITY } else { (to - from) / STEPS_PER_PULSE };
         SourceRule { from, to, longest: by_speed.min(by_pulse) }
