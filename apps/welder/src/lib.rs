@@ -2,6 +2,7 @@
 
 pub mod build;
 pub mod case;
+pub mod check;
 pub mod cli;
 pub mod list;
 pub mod measure;

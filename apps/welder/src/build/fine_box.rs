@@ -43,18 +43,15 @@ pub fn lit_box(model: &Model) -> [[f64; 3]; 2] {
     let (low, high) = model.bounds();
     let Some(laser) = &model.laser else { return [low, high] };
     let radius = laser.beam().radius_m();
-    let lit: Vec<_> =
-        laser.track().points().windows(2).filter(|ends| ends[0].power_w + ends[1].power_w > 0.0).collect();
-    let end = |pick: fn(f64, f64) -> f64, start: f64, of: fn(&laser_source::TrackPoint) -> f64| {
-        lit.iter().flat_map(|ends| ends.iter()).map(of).fold(start, pick)
-    };
-    let (x, y): (fn(&laser_source::TrackPoint) -> f64, fn(&laser_source::TrackPoint) -> f64) =
-        (|p| p.x_m, |p| p.y_m);
-    let inf = f64::INFINITY;
-    [
-        [end(f64::min, inf, x) - radius, end(f64::min, inf, y) - radius, 0.0],
-        [end(f64::max, -inf, x) + radius, end(f64::max, -inf, y) + radius, 0.0],
-    ]
+    let ends = laser.track().points().windows(2).filter(|ends| ends[0].power_w + ends[1].power_w > 0.0);
+    let mut lit = [[f64::INFINITY, f64::INFINITY, 0.0], [f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0]];
+    for point in ends.flatten() {
+        for (axis, x) in [point.x_m, point.y_m].into_iter().enumerate() {
+            lit[0][axis] = lit[0][axis].min(x - radius);
+            lit[1][axis] = lit[1][axis].max(x + radius);
+        }
+    }
+    lit
 }
 
 /// The box of finest cells around a pool that reaches from `low` to `high` \[m\], with its margin.

@@ -5,7 +5,7 @@ use super::{Simulation, StepReport, level_plan, summary};
 use crate::case::scene::Levels;
 use crate::case::source::Source;
 use crate::case::{self, Case, CaseError};
-use crate::cli::{ExitStatus, RunArguments, refuse};
+use crate::cli::{ExitStatus, RunArguments, refuse, say};
 use crate::model::{Model, ModelError};
 use crate::observe::{
     CheckpointError, CheckpointFolder, FrameWriter, HistoryWriter, ObserveError, Observer, PictureWriter,
@@ -320,29 +320,30 @@ impl Run {
     fn tell(&self, exit: ExitStatus) -> ExitStatus {
         let (records, ledger) = (self.simulation.records(), self.simulation.ledger());
         let pool = &records.liquidus;
-        println!(
-            "{}: {} particles, {} steps to t = {:.4e} s in {:.2} s",
-            self.simulation.model().name,
-            self.simulation.particles().len(),
-            self.simulation.steps(),
-            self.simulation.time(),
-            self.started.elapsed().as_secs_f64()
-        );
-        println!(
-            "  pool at the liquidus: width {:.1} um, length {:.1} um, depth {:.1} um; peak {:.0} K",
-            1e6 * pool.width,
-            1e6 * pool.length,
-            1e6 * pool.depth,
-            records.peak_temperature
-        );
-        if let Some(at) = records.solidified_at {
-            println!("  all solid again at {:.3} ms", 1e3 * at);
-        }
-        println!(
+        let mut lines = vec![
+            format!(
+                "{}: {} particles, {} steps to t = {:.4e} s in {:.2} s",
+                self.simulation.model().name,
+                self.simulation.particles().len(),
+                self.simulation.steps(),
+                self.simulation.time(),
+                self.started.elapsed().as_secs_f64()
+            ),
+            format!(
+                "  pool at the liquidus: width {:.1} um, length {:.1} um, depth {:.1} um; peak {:.0} K",
+                1e6 * pool.width,
+                1e6 * pool.length,
+                1e6 * pool.depth,
+                records.peak_temperature
+            ),
+        ];
+        lines.extend(records.solidified_at.map(|at| format!("  all solid again at {:.3} ms", 1e3 * at)));
+        lines.push(format!(
             "  energy: {:.4} J absorbed of {:.4} J emitted, {:.4} J lost, residual {:.1e}",
             ledger.absorbed, ledger.emitted, ledger.lost, ledger.residual
-        );
-        println!("  results in {}", self.folder.display());
+        ));
+        lines.push(format!("  results in {}", self.folder.display()));
+        say(&lines.join("\n"));
         exit
     }
 }

@@ -108,6 +108,11 @@ impl Heat {
         self.step_size.euler()
     }
 
+    /// Longest step that the laser's rule allows \[s\], where there is a laser.
+    pub fn laser_step(&self) -> Option<f64> {
+        self.step_size.laser_step()
+    }
+
     /// Directed pairs that one evaluation of the right-hand side visits.
     pub fn pairs(&self) -> usize {
         self.operator.matrix.pairs() + 2 * self.joints.len()
@@ -329,7 +334,7 @@ fn operator(model: &Model, workpiece: &Workpiece, rows: &ConductionRows, harmoni
 }
 
 /// Which of the low and high faces of x and y are symmetry planes.
-fn mirrored(model: &Model) -> [[bool; 2]; 2] {
+pub fn mirrored(model: &Model) -> [[bool; 2]; 2] {
     let faces = &model.faces;
     [[faces.x_min, faces.x_max], [faces.y_min, faces.y_max]]
         .map(|axis| axis.map(|face| face == Face::Symmetry))

@@ -103,7 +103,7 @@ impl StepSize {
     /// The longest step from `time` \[s\] and what limits it.
     pub(super) fn limit(&self, time: f64) -> StepLimit {
         // A laser that has just changed starts anew: the field next to it has no smooth past.
-        let changed = self.events.iter().any(|&event| event == time);
+        let changed = self.events.contains(&time);
         let by_error = if changed { self.next.min(self.smallest()) } else { self.next };
         let rule = self.source.iter().find(|rule| time >= rule.from && time < rule.to);
         let stability = if self.controller.is_some() { "heat stages" } else { "heat Euler step" };
@@ -113,6 +113,11 @@ impl StepSize {
             limits.extend(rule.map(|rule| StepLimit { name: "laser", dt_s: rule.longest }));
         }
         smallest(limits)
+    }
+
+    /// Shortest of the laser's own limits \[s\].
+    pub(super) fn laser_step(&self) -> Option<f64> {
+        self.source.iter().map(|rule| rule.longest).reduce(f64::min)
     }
 
     /// The next time after `time` at which the laser changes \[s\].
