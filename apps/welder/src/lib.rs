@@ -10,3 +10,4 @@ pub mod observe;
 pub mod particles;
 pub mod physics;
 pub mod run;
+pub mod verify;

@@ -27,7 +27,8 @@ fn dispatch(command: Command) -> ExitStatus {
     match command {
         Command::List => welder::list::command(),
         Command::Check(arguments) => check(&arguments),
-        Command::Run(_) | Command::Verify(_) | Command::Precision(_) => {
+        Command::Verify(arguments) => welder::verify::command(&arguments),
+        Command::Run(_) | Command::Precision(_) => {
             tracing::error!("this command is not built yet");
             ExitStatus::RunFailed
         }
