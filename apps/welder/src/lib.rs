@@ -12,3 +12,4 @@ pub mod particles;
 pub mod physics;
 pub mod precision;
 pub mod run;
+pub mod verify;

@@ -28,9 +28,6 @@ fn dispatch(command: Command) -> ExitStatus {
         Command::Check(arguments) => welder::check::command(&arguments),
         Command::Run(arguments) => welder::run::command(&arguments),
         Command::Precision(arguments) => welder::precision::command(&arguments),
-        Command::Verify(_) => {
-            tracing::error!("this command is not built yet");
-            ExitStatus::RunFailed
-        }
+        Command::Verify(arguments) => welder::verify::command(&arguments),
     }
 }
