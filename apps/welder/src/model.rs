@@ -41,6 +41,9 @@ pub struct Model {
 /// What the engine refuses although the case could be read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ModelError {
+    /// Two settings that do not go together.
+    #[error("{0}")]
+    Unsupported(String),
     /// The neighbour search refused the particles.
     #[error("neighbour search: {0}")]
     Neighbors(#[from] sph_neighbors::Error),

@@ -3,8 +3,9 @@
 use super::{Workpiece, planes};
 use crate::case::scene::{Faces, Weights};
 use crate::model::ModelError;
+use nalgebra::Vector3;
 use sph_kernel::{Kernel, KernelKind};
-use sph_neighbors::{PairReach, SearchMethod};
+use sph_neighbors::{NeighborList, PairReach, SearchMethod};
 use sph_thermal::conduction::{ConductionRows, FitReport, Images, PairTable};
 
 /// Below this ratio of smoothing length to spacing, a pair of unlike sizes takes the larger one's length: with the mean
@@ -23,47 +24,74 @@ pub struct PairReport {
     pub fit: Option<FitReport>,
 }
 
-/// Conduction rows of `workpiece` with the weights of the scene.
-///
-/// `Auto` weights are fitted ones; an open `smoothing_ratio` is the default of `weights` and disorder: the cheapest that
-/// holds its error (see the book's chapter on work and precision).
+/// Who is near whom in a workpiece, mirror images included.
+pub struct Neighborhood {
+    /// Positions of the particles, then of the images \[m\].
+    pub positions: Vec<Vector3<f64>>,
+    /// Neighbours among them.
+    pub list: NeighborList,
+    /// What each image mirrors.
+    pub images: Images<3>,
+    /// Smoothing length over spacing.
+    pub ratio: f64,
+}
+
+impl Neighborhood {
+    /// Finds the neighbours for the weights of a scene; an open `smoothing_ratio` is the default of weights and disorder:
+    /// the cheapest that holds its error (see the book's chapter on performance).
+    ///
+    /// # Errors
+    /// [`ModelError`] when the neighbour search refuses the particles.
+    pub fn new(
+        workpiece: &Workpiece,
+        faces: &Faces,
+        weights: Weights,
+        kernel: KernelKind,
+        smoothing_ratio: Option<f64>,
+    ) -> Result<Self, ModelError> {
+        let ratio = smoothing_ratio.unwrap_or_else(|| default_ratio(weights, workpiece.disorder));
+        let particles = &workpiece.particles;
+        let support = Kernel::<3>::support_radius(kernel, 1.0) * ratio;
+        let reach_of = |spacing: &f64| support * spacing;
+        let widest: Vec<f64> = particles.spacing.iter().map(|spacing| 2.0 * reach_of(spacing)).collect();
+        let images = Images::new(&particles.position, &widest, &planes(workpiece.low, workpiece.high, faces));
+        let mut positions = particles.position.clone();
+        positions.extend_from_slice(&images.position);
+        let mut reach: Vec<f64> = particles.spacing.iter().map(reach_of).collect();
+        reach.extend(images.source.iter().map(|&source| reach_of(&particles.spacing[source as usize])));
+        let rule = if ratio < NARROW { PairReach::Maximum(&reach) } else { PairReach::Mean(&reach) };
+        let list = SearchMethod::default().find(&positions, rule)?;
+        Ok(Self { positions, list, images, ratio })
+    }
+}
+
+/// Conduction rows of `workpiece` with the weights of the scene; `Auto` weights are fitted ones.
 ///
 /// # Errors
-/// [`ModelError`] when the neighbour search or the fit refuses the particles.
+/// [`ModelError`] when the fit refuses the particles.
 pub fn conduction_rows(
     workpiece: &Workpiece,
-    faces: &Faces,
+    neighborhood: &Neighborhood,
     weights: Weights,
     kernel: KernelKind,
-    smoothing_ratio: Option<f64>,
 ) -> Result<(ConductionRows, PairReport), ModelError> {
-    let ratio = smoothing_ratio.unwrap_or_else(|| default_ratio(weights, workpiece.disorder));
+    let Neighborhood { list, images, ratio, .. } = neighborhood;
     let particles = &workpiece.particles;
-    let support = Kernel::<3>::support_radius(kernel, 1.0) * ratio;
-    let reach_of = |spacing: &f64| support * spacing;
-    let widest: Vec<f64> = particles.spacing.iter().map(|spacing| 2.0 * reach_of(spacing)).collect();
-    let images = Images::new(&particles.position, &widest, &planes(workpiece.low, workpiece.high, faces));
-    let mut everything = particles.position.clone();
-    everything.extend_from_slice(&images.position);
-    let mut reach: Vec<f64> = particles.spacing.iter().map(reach_of).collect();
-    reach.extend(images.source.iter().map(|&source| reach_of(&particles.spacing[source as usize])));
-    let rule = if ratio < NARROW { PairReach::Maximum(&reach) } else { PairReach::Mean(&reach) };
-    let list = SearchMethod::default().find(&everything, rule)?;
     let length = |i: usize, j: usize| {
         let (own, other) = (particles.spacing[i], particles.spacing[j]);
-        ratio * if ratio < NARROW { own.max(other) } else { 0.5 * (own + other) }
+        ratio * if *ratio < NARROW { own.max(other) } else { 0.5 * (own + other) }
     };
     let factor = |i: usize, j: usize, r: f64| Kernel::<3>::gradient_factor(kernel, r, length(i, j));
-    let pairs = PairTable::new(&particles.position, &particles.volume, &images, |i| list.row(i), factor)?;
+    let pairs = PairTable::new(&particles.position, &particles.volume, images, |i| list.row(i), factor)?;
     let (rows, fit) = match weights {
         Weights::Plain => (pairs.plain(), None),
-        Weights::Normalized => (pairs.normalized(), None),
+        Weights::Normalized | Weights::Moving => (pairs.normalized(), None),
         Weights::Auto | Weights::Fitted => {
             let (rows, report) = pairs.fitted(FIT_TOLERANCE)?;
             (rows, Some(report))
         }
     };
-    Ok((rows, PairReport { smoothing_ratio: ratio, fit }))
+    Ok((rows, PairReport { smoothing_ratio: *ratio, fit }))
 }
 
 /// On a lattice the narrowest fit is best and cheapest; it breaks from 5 % disorder on, where 27 pairs hold.
@@ -73,6 +101,6 @@ fn default_ratio(weights: Weights, disorder: f64) -> f64 {
         (Weights::Auto | Weights::Fitted, false) => 0.7,
         (Weights::Auto | Weights::Fitted, true) => 1.0,
         (Weights::Normalized, false) => 1.0,
-        (Weights::Normalized | Weights::Plain, _) => 1.3,
+        (Weights::Normalized | Weights::Plain | Weights::Moving, _) => 1.3,
     }
 }

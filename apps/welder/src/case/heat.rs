@@ -49,6 +49,9 @@ pub enum Weights {
     Normalized,
     /// The plain sum of Cleary and Monaghan (1999).
     Plain,
+    /// As Normalized, but computed anew at every stage instead of stored: the form for particles that move, and the slow
+    /// reference of the stored rows.
+    Moving,
 }
 
 /// Shape of the smoothing kernel.

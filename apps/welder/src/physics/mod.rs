@@ -5,6 +5,7 @@
 //! its laws in a crate, one file here, one variant in the case's enum (see CONTRIBUTING).
 
 pub mod heat;
+pub mod rows;
 
 use crate::particles::Particles;
 use serde::{Deserialize, Serialize};

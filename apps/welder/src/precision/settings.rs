@@ -46,6 +46,7 @@ pub(super) fn all() -> Vec<Setting> {
         setting("fitted Gauss 0.8", |m| weights(m, Weights::Fitted, KernelShape::Gaussian, 0.8)),
         setting("normalized 1.0", |m| weights(m, Weights::Normalized, KernelShape::WendlandC2, 1.0)),
         setting("normalized cubic 1.3", |m| weights(m, Weights::Normalized, KernelShape::CubicSpline, 1.3)),
+        setting("moving cubic 1.3", |m| weights(m, Weights::Moving, KernelShape::CubicSpline, 1.3)),
         setting("plain cubic 1.3", |m| weights(m, Weights::Plain, KernelShape::CubicSpline, 1.3)),
         setting("harmonic mean", |m| m.heat.conductivity_mean = ConductivityMean::Harmonic),
         setting("uniform spacing", |m| m.resolution.levels = Levels::Uniform),

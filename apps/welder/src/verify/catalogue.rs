@@ -1,8 +1,8 @@
 //! All benchmarks, in the order in which they run.
 
 use super::heat::{
-    constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan, stefan,
-    top_hat,
+    constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
+    stefan, top_hat,
 };
 use super::{Benchmark, round_off, weld};
 

@@ -47,7 +47,11 @@ pub(super) fn constant(value: f64) -> Table {
 }
 
 /// A block of `counts` particles that starts at [`START`], with adiabatic faces, no laser and the program's defaults.
-pub(super) fn block(counts: [usize; 3], spacing: f64, materials: Vec<ThermalMaterial>) -> Result<Model, ModelError> {
+pub(super) fn block(
+    counts: [usize; 3],
+    spacing: f64,
+    materials: Vec<ThermalMaterial>,
+) -> Result<Model, ModelError> {
     let curves = materials.iter().map(EnthalpyCurve::continuous).collect::<Result<_, _>>()?;
     Ok(Model {
         name: "benchmark".into(),

@@ -2,16 +2,18 @@
 
 mod deposit;
 mod faces;
+mod moving;
 mod step_size;
 mod super_step;
 
 use super::{Cost, Exchange, Failure, Physics};
-use crate::build::{PairReport, Workpiece, conduction_rows};
-use crate::case::scene::{ConductivityMean, Face, KernelShape};
+use crate::build::{Neighborhood, PairReport, Workpiece, conduction_rows};
+use crate::case::scene::{ConductivityMean, Face, KernelShape, Weights};
 use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use deposit::Deposit;
 use faces::FaceExchange;
+use moving::MovingRows;
 use serde::{Deserialize, Serialize};
 use sph_integrate::{Rkl2Coefficients, StepLimit, largest_eigenvalue};
 use sph_kernel::KernelKind;
@@ -63,8 +65,15 @@ impl Heat {
     pub fn new(model: &Model, workpiece: &Workpiece) -> Result<Self, ModelError> {
         let (settings, particles) = (&model.heat, &workpiece.particles);
         let kernel = kernel_kind(settings.kernel);
-        let (rows, report) =
-            conduction_rows(workpiece, &model.faces, settings.weights, kernel, settings.smoothing_ratio)?;
+        let (weights, ratio) = (settings.weights, settings.smoothing_ratio);
+        let neighborhood = Neighborhood::new(workpiece, &model.faces, weights, kernel, ratio)?;
+        let (rows, report) = conduction_rows(workpiece, &neighborhood, weights, kernel)?;
+        let moving = if weights == Weights::Moving {
+            refuse_moving(model)?;
+            Some(MovingRows::new(workpiece, neighborhood, kernel))
+        } else {
+            None
+        };
         let faces = FaceExchange::new(model, workpiece, &rows)?;
         let deposit = match &model.laser {
             Some(laser) => Some(Deposit::new(laser, workpiece, &rows, mirrored(model))?),
@@ -76,7 +85,7 @@ impl Heat {
         let harmonic = settings.conductivity_mean == ConductivityMean::Harmonic;
         let (rows, joints) =
             if harmonic { (rows, Vec::new()) } else { rows.split_joints(&particles.material) };
-        let operator = operator(model, workpiece, &rows, harmonic);
+        let operator = operator(model, workpiece, &rows, harmonic, moving);
         let columns = Columns::new(&operator);
         let joined = joints.iter().flat_map(|pair| [pair.first as usize, pair.second as usize]);
         let mut touched: Vec<usize> = faces.particles().iter().copied().chain(joined).collect();
@@ -115,7 +124,8 @@ impl Heat {
 
     /// Directed pairs that one evaluation of the right-hand side visits.
     pub fn pairs(&self) -> usize {
-        self.operator.matrix.pairs() + 2 * self.joints.len()
+        let stored = self.operator.matrix.pairs() + 2 * self.joints.len();
+        self.operator.moving.as_ref().map_or(stored, MovingRows::pairs)
     }
 
     /// Share of rows stored as a pattern.
@@ -320,7 +330,28 @@ impl Physics<3> for Heat {
     }
 }
 
-fn operator(model: &Model, workpiece: &Workpiece, rows: &ConductionRows, harmonic: bool) -> Operator {
+/// Rows computed anew know mirrors and one material only.
+fn refuse_moving(model: &Model) -> Result<(), ModelError> {
+    let held =
+        model.faces.named().into_iter().find(|(_, face)| matches!(face, Face::FixedTemperature { .. }));
+    let reason = match held {
+        Some((name, _)) => format!("the face {name} of fixed temperature"),
+        None if model.curves.len() > 1 => "a joint of two materials".to_string(),
+        None if model.heat.conductivity_mean == ConductivityMean::Harmonic => "the harmonic mean".to_string(),
+        None => return Ok(()),
+    };
+    Err(ModelError::Unsupported(format!(
+        "weights: Moving does not go with {reason}; use Fitted or Normalized"
+    )))
+}
+
+fn operator(
+    model: &Model,
+    workpiece: &Workpiece,
+    rows: &ConductionRows,
+    harmonic: bool,
+    moving: Option<MovingRows>,
+) -> Operator {
     let matrix = ConductionMatrix::new(rows);
     let mut inverse_mass: Vec<f64> = workpiece.particles.mass.iter().map(|mass| 1.0 / mass).collect();
     inverse_mass.resize(matrix.padded_len(), 0.0);
@@ -329,7 +360,12 @@ fn operator(model: &Model, workpiece: &Workpiece, rows: &ConductionRows, harmoni
         inverse_mass,
         material: workpiece.particles.material.clone(),
         curves: model.curves.clone(),
-        exchange: if harmonic { super_step::Exchange::Harmonic } else { super_step::Exchange::Kirchhoff },
+        exchange: match (harmonic, &moving) {
+            (true, _) => super_step::Exchange::Harmonic,
+            (false, Some(_)) => super_step::Exchange::Moving,
+            (false, None) => super_step::Exchange::Kirchhoff,
+        },
+        moving,
     }
 }
 

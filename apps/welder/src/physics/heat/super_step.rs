@@ -4,6 +4,7 @@
 //! closes to round-off. Blocks of rows run in parallel; what they add up is added block by block, so that results are
 //! the same bits for any number of threads.
 
+use super::moving::MovingRows;
 use rayon::prelude::*;
 use sph_integrate::Rkl2Coefficients;
 use sph_thermal::conduction::{ConductionMatrix, LANES, joint_conductance};
@@ -22,10 +23,14 @@ pub(super) enum Exchange {
     Kirchhoff,
     /// By temperature with the harmonic mean of both conductivities (Cleary and Monaghan 1999).
     Harmonic,
+    /// By the Kirchhoff potential in rows that are computed anew at every stage.
+    Moving,
 }
 
 /// What stays the same over a run.
 pub(super) struct Operator {
+    /// Rows to compute anew, where the exchange is `Moving`.
+    pub(super) moving: Option<MovingRows>,
     pub(super) matrix: ConductionMatrix,
     /// 1/(mass) \[1/kg\], padded.
     pub(super) inverse_mass: Vec<f64>,
@@ -55,6 +60,9 @@ pub(super) struct Columns {
     /// Temperature and conductivity, for the harmonic mean only.
     temperature: Vec<f64>,
     conductivity: Vec<f64>,
+    /// Potential of particles and copies, and conducted heat \[W\], for moving rows only.
+    seen: Vec<f64>,
+    heat: Vec<f64>,
 }
 
 impl Columns {
@@ -75,6 +83,8 @@ impl Columns {
             power: column(),
             temperature: harmonic(),
             conductivity: harmonic(),
+            seen: vec![0.0; operator.moving.as_ref().map_or(0, MovingRows::column_len)],
+            heat: vec![0.0; if operator.moving.is_some() { padded } else { 0 }],
         }
     }
 }
@@ -121,6 +131,10 @@ impl Operator {
                 let conductance = joint_conductance(columns.conductivity[own], columns.conductivity[other]);
                 weight * conductance * (columns.temperature[other] - columns.temperature[own])
             }),
+            Exchange::Moving => {
+                let start = chunk * LANES;
+                columns.heat[start..start + LANES].try_into().expect("a slice of LANES entries")
+            }
         }
     }
 
@@ -135,11 +149,15 @@ impl Operator {
                 }
             }
         });
-        self.evaluate_harmonic(columns);
+        self.prepare_exchange(columns);
     }
 
-    fn evaluate_harmonic(&self, columns: &mut Columns) {
-        if self.exchange == Exchange::Kirchhoff {
+    /// What exchanges other than by stored Kirchhoff rows need of the state, before rows are met.
+    fn prepare_exchange(&self, columns: &mut Columns) {
+        if let Some(moving) = &self.moving {
+            moving.heat(&columns.potential, &mut columns.seen, &mut columns.heat);
+        }
+        if self.exchange != Exchange::Harmonic {
             return;
         }
         for i in 0..self.material.len() {
@@ -200,7 +218,7 @@ impl Operator {
         }
         columns.before = std::mem::replace(&mut columns.increment, next);
         columns.next_potential = std::mem::replace(&mut columns.potential, next_potential);
-        self.evaluate_harmonic(columns);
+        self.prepare_exchange(columns);
     }
 
     #[inline]
@@ -226,6 +244,7 @@ struct Sources<'a> {
     potential: &'a [f64],
     temperature: &'a [f64],
     conductivity: &'a [f64],
+    heat: &'a [f64],
 }
 
 impl<'a> Sources<'a> {
@@ -234,6 +253,7 @@ impl<'a> Sources<'a> {
             potential: &columns.potential,
             temperature: &columns.temperature,
             conductivity: &columns.conductivity,
+            heat: &columns.heat,
         }
     }
 }

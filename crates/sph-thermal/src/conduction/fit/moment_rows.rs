@@ -88,7 +88,9 @@ impl MomentRows {
             };
             for lane in 0..LANES {
                 let met = q[3][lane] * other[3][lane]
-                    - (q[0][lane] * other[0][lane] + q[1][lane] * other[1][lane] + q[2][lane] * other[2][lane]);
+                    - (q[0][lane] * other[0][lane]
+                        + q[1][lane] * other[1][lane]
+                        + q[2][lane] * other[2][lane]);
                 for part in 0..4 {
                     sum[part][lane] += q[part][lane] * met;
                 }
