@@ -10,4 +10,6 @@ pub mod model;
 pub mod observe;
 pub mod particles;
 pub mod physics;
+pub mod precision;
 pub mod run;
+pub mod verify;

@@ -27,9 +27,7 @@ fn dispatch(command: Command) -> ExitStatus {
         Command::List => welder::list::command(),
         Command::Check(arguments) => welder::check::command(&arguments),
         Command::Run(arguments) => welder::run::command(&arguments),
-        Command::Verify(_) | Command::Precision(_) => {
-            tracing::error!("this command is not built yet");
-            ExitStatus::RunFailed
-        }
+        Command::Precision(arguments) => welder::precision::command(&arguments),
+        Command::Verify(arguments) => welder::verify::command(&arguments),
     }
 }

@@ -21,5 +21,6 @@ mod validate;
 
 pub use card::{CardSource, read_card};
 pub use load::{Case, load, resolved_ron};
+pub(crate) use nearest::suggestion;
 pub use material::{Material, MaterialCard, Property, Quantity};
 pub use problem::{CaseError, Problem};

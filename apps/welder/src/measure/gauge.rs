@@ -217,7 +217,8 @@ impl Gauge {
     }
 
     fn read_surface(&mut self, model: &Model, time: f64, step: f64) {
-        self.flux.fill(0.0);
+        let steady = if let Face::Flux { flux_w_m2 } = model.faces.top { flux_w_m2 } else { 0.0 };
+        self.flux.fill(steady);
         if let (Some(patches), Some(laser)) = (&mut self.patches, &model.laser) {
             let surface = matches!(laser.absorption(), laser_source::Absorption::Surface { .. });
             if surface && step > 0.0 {

@@ -7,3 +7,4 @@ mod isotherm;
 pub use gauge::{Gauge, Map, Measure};
 pub use interpolate::Sampler;
 pub use isotherm::Extent;
+pub(crate) use isotherm::{crossing, lagrange};
