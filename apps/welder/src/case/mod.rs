@@ -16,7 +16,7 @@ mod resolution;
 mod scan;
 pub mod scene;
 mod set;
-mod source;
+pub mod source;
 mod validate;
 
 pub use card::{CardSource, read_card};

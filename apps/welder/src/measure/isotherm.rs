@@ -3,8 +3,10 @@
 //! Crossings use the cubic through the four nearest nodes: it halves the error in depth of linear interpolation. The
 //! largest of a row of sizes lies between its samples too: the parabola through the largest and its neighbours finds it.
 
+use serde::{Deserialize, Serialize};
+
 /// Size of a region above a level \[m\].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Extent {
     /// Along y: across a seam that runs along x.
     pub width: f64,

@@ -84,19 +84,28 @@ fn temperature(gauge: &Gauge, spacing: f64, [x, y, z]: [f64; 3]) -> f64 {
     let first = (y / spacing - 1.5).round() as i64;
     let node = |k: i64| {
         let row = (k as f64 + 0.5) * spacing;
-        (row, in_section(gauge.section(1, row.abs()), x, z))
+        (row, in_section(gauge, row.abs(), x, z))
     };
     let nodes: Vec<_> = (first - 1..first + 3).map(node).collect();
     lagrange(&nodes, y)
 }
 
-/// Temperature at (x, z below the surface) of a section by cubics along both.
-fn in_section((along, down, values): (Vec<f64>, Vec<f64>, Vec<f64>), x: f64, z: f64) -> f64 {
+/// Temperature at (x, z below the surface) of the section at `y` by cubics along both.
+fn in_section(gauge: &Gauge, y: f64, x: f64, z: f64) -> f64 {
     let around = |nodes: &[f64], at: f64| nodes.partition_point(|&node| node < at).clamp(2, nodes.len() - 2) - 2;
-    let depths: Vec<f64> = down.iter().map(|z| -z).collect();
-    let (column, row) = (around(&along, x), around(&depths, z));
+    let (section, top) = (gauge.section(1, y), gauge.top());
+    let width = section.x.len();
+    let line = (0..top.y.len()).min_by(|&a, &b| (top.y[a] - y).abs().total_cmp(&(top.y[b] - y).abs()));
+    let line = line.expect("the top face has rows");
+    // From the top face down: its own values first, then the layers, which the section gives from below.
+    let depths: Vec<f64> = std::iter::once(0.0).chain(section.y.iter().rev().map(|z| -z)).collect();
+    let value = |k: usize, i: usize| match k {
+        0 => top.temperature[line * width + i],
+        _ => section.temperature[(section.y.len() - k) * width + i],
+    };
+    let (column, row) = (around(&section.x, x), around(&depths, z));
     let at_depth = |k: usize| {
-        let nodes: Vec<_> = (column..column + 4).map(|i| (along[i], values[k * along.len() + i])).collect();
+        let nodes: Vec<_> = (column..column + 4).map(|i| (section.x[i], value(k, i))).collect();
         (depths[k], lagrange(&nodes, x))
     };
     let nodes: Vec<_> = (row..row + 4).map(at_depth).collect();
