@@ -6,7 +6,8 @@ use welder::verify::{benchmarks, error_with_weights, observed_order};
 
 /// Runs a benchmark at the resolutions of a quick run and asserts every mark that they meet.
 fn holds(name: &str) {
-    let benchmark = benchmarks().iter().find(|benchmark| benchmark.name == name).expect("a benchmark of this name");
+    let benchmark =
+        benchmarks().iter().find(|benchmark| benchmark.name == name).expect("a benchmark of this name");
     for entry in benchmark.entries(Level::Quick).expect("an answer") {
         assert!(entry.passed, "{}: {:?}", entry.name, entry.levels);
     }

@@ -1,11 +1,11 @@
 //! Pairs and conduction weights of a workpiece at rest.
 
 use super::{Workpiece, planes};
-use crate::case::scene::{Faces, Weights};
+use crate::case::scene::{Face, Faces, Weights};
 use crate::model::ModelError;
 use sph_kernel::{Kernel, KernelKind};
 use sph_neighbors::{PairReach, SearchMethod};
-use sph_thermal::conduction::{ConductionRows, FitReport, Images, PairTable};
+use sph_thermal::conduction::{ConductionRows, FitReport, Images, PairTable, Planes};
 
 /// Below this ratio of smoothing length to spacing, a pair of unlike sizes takes the larger one's length: with the mean
 /// of both, narrow kernels would not reach across a jump of spacing.
@@ -42,7 +42,7 @@ pub fn conduction_rows(
     let support = Kernel::<3>::support_radius(kernel, 1.0) * ratio;
     let reach_of = |spacing: &f64| support * spacing;
     let widest: Vec<f64> = particles.spacing.iter().map(|spacing| 2.0 * reach_of(spacing)).collect();
-    let images = Images::new(&particles.position, &widest, &planes(workpiece.low, workpiece.high, faces));
+    let images = Images::new(&particles.position, &widest, &mirrors(workpiece, faces, weights));
     let mut everything = particles.position.clone();
     everything.extend_from_slice(&images.position);
     let mut reach: Vec<f64> = particles.spacing.iter().map(reach_of).collect();
@@ -64,6 +64,22 @@ pub fn conduction_rows(
         }
     };
     Ok((rows, PairReport { smoothing_ratio: ratio, fit }))
+}
+
+/// The planes that particles are mirrored in.
+///
+/// The plain sum of Cleary and Monaghan (1999) ends at a free face, so that particles there miss half their neighbours;
+/// symmetry planes and faces of fixed temperature mirror for it too, because they have no other form.
+fn mirrors(workpiece: &Workpiece, faces: &Faces, weights: Weights) -> Planes<3> {
+    let mut planes = planes(workpiece.low, workpiece.high, faces);
+    if weights == Weights::Plain {
+        for (parity, (_, face)) in planes.parity.as_flattened_mut().iter_mut().zip(faces.named()) {
+            if !matches!(face, Face::Symmetry | Face::FixedTemperature { .. }) {
+                *parity = None;
+            }
+        }
+    }
+    planes
 }
 
 /// On a lattice the narrowest fit is best and cheapest; it breaks from 5 % disorder on, where 27 pairs hold.

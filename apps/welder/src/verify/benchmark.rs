@@ -85,6 +85,9 @@ pub enum BenchmarkError {
     /// Its run went wrong.
     #[error(transparent)]
     Run(#[from] Failure),
+    /// Its checkpoint could not be written or read.
+    #[error(transparent)]
+    Checkpoint(#[from] crate::observe::CheckpointError),
     /// The machine refused threads.
     #[error("threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
@@ -131,7 +134,11 @@ impl Benchmark {
     }
 
     fn entry_name(&self, quantity: &Quantity) -> String {
-        if quantity.suffix.is_empty() { self.name.to_string() } else { format!("{}/{}", self.name, quantity.suffix) }
+        if quantity.suffix.is_empty() {
+            self.name.to_string()
+        } else {
+            format!("{}/{}", self.name, quantity.suffix)
+        }
     }
 
     /// Runs it at all resolutions of a level and judges each quantity.
@@ -144,7 +151,12 @@ impl Benchmark {
             let results = self.measure(resolution)?;
             levels.iter_mut().zip(results).for_each(|(levels, result)| levels.push(result));
         }
-        Ok(self.quantities.iter().zip(levels).map(|(quantity, levels)| self.entry(quantity, levels)).collect())
+        Ok(self
+            .quantities
+            .iter()
+            .zip(levels)
+            .map(|(quantity, levels)| self.entry(quantity, levels))
+            .collect())
     }
 
     /// Error and cost of each quantity at one resolution.
@@ -167,7 +179,8 @@ impl Benchmark {
         };
         // The mark that is hardest to meet speaks for all in the report.
         let judged = quantity.marks.iter().filter_map(|mark| Some((mark, error_at(mark)?)));
-        let strain = |&(mark, error): &(&Mark, f64)| if mark.error > 0.0 { error / mark.error } else { error };
+        let strain =
+            |&(mark, error): &(&Mark, f64)| if mark.error > 0.0 { error / mark.error } else { error };
         let hardest = judged.clone().max_by(|a, b| strain(a).total_cmp(&strain(b)));
         let mark = hardest.map_or(&quantity.marks[0], |(mark, _)| mark);
         Entry {

@@ -1,12 +1,12 @@
 //! All benchmarks, in the order in which they run.
 
 use super::heat::{
-    constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan, stefan,
-    top_hat,
+    constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
+    stefan, top_hat,
 };
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 14] = [
+static BENCHMARKS: [Benchmark; 15] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -21,6 +21,7 @@ static BENCHMARKS: [Benchmark; 14] = [
     weld::DISORDERED,
     round_off::LEDGER,
     round_off::THREADS,
+    round_off::RESUME,
 ];
 
 /// All benchmarks.

@@ -42,8 +42,14 @@ mod tests {
 
     #[test]
     fn a_miss_stands_out() {
-        let level =
-            LevelResult { resolution: 5.0, particles: 8, error: 0.034, pair_visits: 7, cpu_s: None, wall_s: 0.5 };
+        let level = LevelResult {
+            resolution: 5.0,
+            particles: 8,
+            error: 0.034,
+            pair_visits: 7,
+            cpu_s: None,
+            wall_s: 0.5,
+        };
         let entry = Entry {
             name: "heat/x".into(),
             tested_crate: "sph-thermal".into(),

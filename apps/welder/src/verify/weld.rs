@@ -88,7 +88,8 @@ fn one_power(reference: &Reference, resolution: f64, disorder: f64) -> Result<Ou
     model.resolution.disorder = disorder;
     let simulation = run(model)?;
     let records = simulation.records();
-    let worse = |found: [f64; 2], exact: [f64; 2]| relative(found[0], exact[0]).max(relative(found[1], exact[1]));
+    let worse =
+        |found: [f64; 2], exact: [f64; 2]| relative(found[0], exact[0]).max(relative(found[1], exact[1]));
     let errors = vec![
         worse(
             [records.liquidus.width, records.solidus.width],

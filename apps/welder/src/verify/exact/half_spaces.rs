@@ -55,7 +55,8 @@ mod tests {
 
     #[test]
     fn the_flux_is_continuous() {
-        let half_spaces = HalfSpaces { start: [500.0, 300.0], conductivity: [20.0, 200.0], capacity: [3e6, 2e6] };
+        let half_spaces =
+            HalfSpaces { start: [500.0, 300.0], conductivity: [20.0, 200.0], capacity: [3e6, 2e6] };
         let (step, time) = (1e-7, 1e-3);
         let joint = half_spaces.joint_temperature();
         let left = 20.0 * (joint - half_spaces.temperature(-step, time)) / step;

@@ -1,7 +1,7 @@
 //! Where a front stands in a row of particles: isotherms between them, read in the Kirchhoff potential as the gauge does.
 
-use super::super::scene::run_until;
 use super::super::BenchmarkError;
+use super::super::scene::run_until;
 use crate::measure::crossing;
 use crate::model::Model;
 use crate::run::Simulation;
@@ -15,8 +15,9 @@ const FROM: f64 = 0.8;
 /// Distance from the hot low end to where the row falls below `temperature` \[m\].
 fn front(simulation: &Simulation, temperature: f64) -> f64 {
     let (particles, curve) = (simulation.particles(), &simulation.model().curves[0]);
-    let mut nodes: Vec<_> =
-        (0..particles.len()).map(|i| (particles.position[i].x, curve.potential(particles.enthalpy[i]))).collect();
+    let mut nodes: Vec<_> = (0..particles.len())
+        .map(|i| (particles.position[i].x, curve.potential(particles.enthalpy[i])))
+        .collect();
     nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
     let level = curve.potential_at(temperature);
     match nodes.iter().rposition(|node| node.1 > level) {

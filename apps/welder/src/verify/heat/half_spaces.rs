@@ -17,7 +17,8 @@ const PLACES: [f64; 6] = [-1.0, -0.5, -0.1, 0.1, 0.5, 1.0];
 const LENGTHS: f64 = 5.5;
 
 const TEN: HalfSpaces = HalfSpaces { start: [1.0, 0.0], conductivity: [1.0, 10.0], capacity: [1.0; 2] };
-const THOUSAND: HalfSpaces = HalfSpaces { start: [1.0, 0.0], conductivity: [1.0, 1000.0], capacity: [1.0; 2] };
+const THOUSAND: HalfSpaces =
+    HalfSpaces { start: [1.0, 0.0], conductivity: [1.0, 1000.0], capacity: [1.0; 2] };
 const MARKS: &[Mark] = &[Mark { resolution: 50.0, error: 0.01 }];
 
 pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
@@ -31,11 +32,7 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
                    conductivities 1 and 10; resolution: spacings from x = -1 to 1",
             marks: MARKS,
         },
-        Quantity {
-            suffix: "ratio-1000",
-            text: "the same for conductivities 1 and 1000",
-            marks: MARKS,
-        },
+        Quantity { suffix: "ratio-1000", text: "the same for conductivities 1 and 1000", marks: MARKS },
     ],
     resolutions: [25.0, 50.0, 100.0],
     quick: 2,

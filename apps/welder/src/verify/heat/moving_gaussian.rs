@@ -62,10 +62,8 @@ fn model(resolution: f64) -> Result<Model, ModelError> {
     let mut model = block(counts, 1.0 / resolution, vec![material])?;
     model.low_corner = [-WAY - BEHIND, 0.0];
     model.faces.y_min = Face::Symmetry;
-    model.resolution.levels = Levels::FineBox {
-        low_m: [-FINE_BEHIND, 0.0, -FINE_ASIDE],
-        high_m: [FINE_AHEAD, FINE_ASIDE, 0.0],
-    };
+    model.resolution.levels =
+        Levels::FineBox { low_m: [-FINE_BEHIND, 0.0, -FINE_ASIDE], high_m: [FINE_AHEAD, FINE_ASIDE, 0.0] };
     let beam = Beam::Gaussian(Gaussian { radius_1e_m: 2f64.sqrt() * EXACT.deviation });
     let path = Path::Straight {
         from_m: [-WAY, 0.0],
@@ -92,7 +90,8 @@ fn temperature(gauge: &Gauge, spacing: f64, [x, y, z]: [f64; 3]) -> f64 {
 
 /// Temperature at (x, z below the surface) of the section at `y` by cubics along both.
 fn in_section(gauge: &Gauge, y: f64, x: f64, z: f64) -> f64 {
-    let around = |nodes: &[f64], at: f64| nodes.partition_point(|&node| node < at).clamp(2, nodes.len() - 2) - 2;
+    let around =
+        |nodes: &[f64], at: f64| nodes.partition_point(|&node| node < at).clamp(2, nodes.len() - 2) - 2;
     let (section, top) = (gauge.section(1, y), gauge.top());
     let width = section.x.len();
     let line = (0..top.y.len()).min_by(|&a, &b| (top.y[a] - y).abs().total_cmp(&(top.y[b] - y).abs()));

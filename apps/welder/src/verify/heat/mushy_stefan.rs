@@ -70,7 +70,8 @@ fn row(resolution: f64) -> Result<Outcome, BenchmarkError> {
 }
 
 fn material() -> ThermalMaterial {
-    let table = |nodes: [(f64, f64); 2]| Table::new(nodes.to_vec()).expect("rising temperatures, positive values");
+    let table =
+        |nodes: [(f64, f64); 2]| Table::new(nodes.to_vec()).expect("rising temperatures, positive values");
     let [solid, mush, liquid] = ALUMINIUM.conductivity;
     ThermalMaterial {
         density: ALUMINIUM.density,
