@@ -1,9 +1,10 @@
-//! `welder list`: the cases and materials that come with the program.
+//! `welder list`: the cases, materials and benchmarks that come with the program.
 
 use std::path::Path;
 
 use crate::case::{MaterialCard, library, load, read_card};
 use crate::cli::ExitStatus;
+use crate::verify::{Benchmark, benchmarks};
 
 /// Prints the lists to standard output.
 pub fn command() -> ExitStatus {
@@ -11,7 +12,13 @@ pub fn command() -> ExitStatus {
         Some(cases) => println!("{}\n{}", cases_list(&cases), materials_list(&cases.join("materials"))),
         None => println!("no folder `cases` was found here or where the program was built"),
     }
+    println!("\n{}", benchmarks_list());
     ExitStatus::Done
+}
+
+fn benchmarks_list() -> String {
+    let line = |benchmark: &Benchmark| format!("  {:<36} {}\n", benchmark.name, benchmark.reference);
+    "Benchmarks\n".to_string() + &benchmarks().iter().map(line).collect::<String>()
 }
 
 fn cases_list(cases: &Path) -> String {
@@ -52,6 +59,7 @@ mod tests {
         let (case_text, material_text) = (cases_list(&cases), materials_list(&cases.join("materials")));
         assert!(case_text.contains("spot-aluminium") && case_text.contains("seam-aluminium"), "{case_text}");
         assert!(material_text.contains("solidus 1410 K, liquidus 1620 K"), "{material_text}");
+        assert!(benchmarks_list().contains("heat/gaussian-spot"));
         assert!(!(case_text + &material_text).contains("cannot be read"));
     }
 }

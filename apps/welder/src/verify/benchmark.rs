@@ -85,6 +85,9 @@ pub enum BenchmarkError {
     /// Its run went wrong.
     #[error(transparent)]
     Run(#[from] Failure),
+    /// Its checkpoint could not be written or read.
+    #[error(transparent)]
+    Checkpoint(#[from] crate::observe::CheckpointError),
     /// The machine refused threads.
     #[error("threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),

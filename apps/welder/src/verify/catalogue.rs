@@ -6,7 +6,7 @@ use super::heat::{
 };
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 14] = [
+static BENCHMARKS: [Benchmark; 15] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -21,6 +21,7 @@ static BENCHMARKS: [Benchmark; 14] = [
     weld::DISORDERED,
     round_off::LEDGER,
     round_off::THREADS,
+    round_off::RESUME,
 ];
 
 /// All benchmarks.

@@ -23,5 +23,5 @@ pub use command::command;
 pub use heat::gaussian_spot::error_with_weights;
 pub use order::observed_order;
 pub use report::{Entry, Report};
-pub use scene::{never_melting, reference_aluminium};
+pub use scene::{block, never_melting, reference_aluminium, spot};
 pub use select::{UnknownName, select};

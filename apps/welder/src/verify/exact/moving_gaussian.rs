@@ -62,7 +62,8 @@ mod tests {
             ([0.0, 0.0, 1.0], 0.05375322),
         ];
         for (place, value) in printed {
-            assert!((UNIT.rise(place) - value).abs() < 6e-9, "{place:?}: {}", UNIT.rise(place));
+            // The second is 0.1307246075 and was cut, not rounded.
+            assert!((UNIT.rise(place) - value).abs() < 1e-8, "{place:?}: {}", UNIT.rise(place));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::super::benchmark::relative;
 use super::super::exact::plane_flux_rise;
-use super::super::scene::{START, block, never_melting, run};
+use super::super::scene::{START, block, fine_steps, never_melting, run};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
 use crate::case::scene::Face;
 
@@ -35,6 +35,7 @@ fn column(resolution: f64) -> Result<Outcome, BenchmarkError> {
     let counts = [1, 1, (LENGTHS * resolution).round() as usize];
     let mut model = block(counts, spacing, vec![never_melting(1.0, CAPACITY, CONDUCTIVITY)])?;
     model.faces.top = Face::Flux { flux_w_m2: FLUX };
+    model.heat.stepping = fine_steps();
     model.end = TIME;
     let simulation = run(model)?;
     let rise = simulation.records().now.peak_temperature - START;

@@ -1,6 +1,6 @@
 //! A cosine wave of temperature that decays: half a wave between adiabatic faces, which is the periodic wave.
 
-use super::super::scene::{START, block, never_melting, run};
+use super::super::scene::{START, block, fine_steps, never_melting, run};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
 use crate::run::Simulation;
 use std::f64::consts::{PI, TAU};
@@ -46,6 +46,7 @@ fn wave(resolution: f64, disorder: f64) -> Result<Outcome, BenchmarkError> {
     let mut model = block(counts, 1.0 / resolution, vec![never_melting(1.0, 1.0, 1.0)])?;
     model.resolution.disorder = disorder;
     model.start = Arc::new(|[x, ..]| (0, START + AMPLITUDE * (TAU * x).cos()));
+    model.heat.stepping = fine_steps();
     model.end = 1.0 / (TAU * TAU);
     let simulation = run(model)?;
     let error = error(&simulation);

@@ -43,25 +43,25 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
 /// # Errors
 /// [`BenchmarkError`] when the run has no answer.
 pub fn error_with_weights(resolution: f64, weights: Weights) -> Result<f64, BenchmarkError> {
-    let mut model = quarter(resolution)?;
+    let mut model = quarter(resolution, FINE_EDGE)?;
     model.heat.weights = weights;
     Ok((run(model)?.records().now.peak_temperature - START) / EXACT.centre_rise(TIME) - 1.0)
 }
 
 fn centre(resolution: f64, weights: Weights) -> Result<Outcome, BenchmarkError> {
-    let mut model = quarter(resolution)?;
+    let mut model = quarter(resolution, FINE_EDGE)?;
     model.heat.weights = weights;
     let simulation = run(model)?;
     let rise = simulation.records().now.peak_temperature - START;
     Ok(Outcome::of(&simulation, vec![relative(rise, EXACT.centre_rise(TIME))]))
 }
 
-/// The quarter of the half space between two symmetry planes through the beam's axis.
-pub(super) fn quarter(resolution: f64) -> Result<Model, ModelError> {
+/// The quarter of the half space between two symmetry planes through the beam's axis, finest up to `fine_edge` radii.
+pub(super) fn quarter(resolution: f64, fine_edge: f64) -> Result<Model, ModelError> {
     let count = (EDGE * resolution).round() as usize;
     let material = never_melting(1.0, CAPACITY, EXACT.conductivity);
     let mut model = block([count; 3], EXACT.radius / resolution, vec![material])?;
-    let edge = FINE_EDGE * EXACT.radius;
+    let edge = fine_edge * EXACT.radius;
     model.resolution.levels = Levels::FineBox { low_m: [0.0, 0.0, -edge], high_m: [edge, edge, 0.0] };
     (model.faces.x_min, model.faces.y_min) = (Face::Symmetry, Face::Symmetry);
     model.laser = Some(spot(Beam::Gaussian(Gaussian { radius_1e_m: EXACT.radius }), EXACT.power, TIME)?);

@@ -2,7 +2,7 @@
 
 use super::super::benchmark::{larger, relative};
 use super::super::exact::HalfSpaces;
-use super::super::scene::{START, block, never_melting, profile, run};
+use super::super::scene::{START, block, fine_steps, never_melting, profile, run};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
 use crate::measure::lagrange;
 use crate::run::Simulation;
@@ -62,6 +62,7 @@ fn contact(exact: &HalfSpaces, resolution: f64) -> Result<Outcome, BenchmarkErro
         let side = usize::from(x > 0.0);
         (side as u8, START + start[side])
     });
+    model.heat.stepping = fine_steps();
     model.end = TIME;
     let simulation = run(model)?;
     let error = error(exact, &simulation);

@@ -1,7 +1,7 @@
 //! Melting from a hot wall over a mushy range.
 
 use super::super::exact::MushyStefan;
-use super::super::scene::{block, constant, uniform_start};
+use super::super::scene::{block, constant, fine_steps, uniform_start};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
 use super::front::largest_front_errors;
 use crate::case::scene::Face;
@@ -59,6 +59,7 @@ fn row(resolution: f64) -> Result<Outcome, BenchmarkError> {
     let mut model = block([count, 1, 1], spacing, vec![material()])?;
     model.faces.x_min = Face::FixedTemperature { temperature_k: ALUMINIUM.wall };
     model.start = uniform_start(ALUMINIUM.start);
+    model.heat.stepping = fine_steps();
     model.end = TIME;
     let liquidus = |time: f64| ALUMINIUM.fronts(time)[0];
     let solidus = |time: f64| ALUMINIUM.fronts(time)[1];
