@@ -80,7 +80,12 @@ impl MomentRows {
         let column = |part: usize| &phi[part * padded..(part + 1) * padded];
         let columns = [column(0), column(1), column(2), column(3)];
         let consecutive = |start: usize| -> Four {
-            [load(columns[0], start), load(columns[1], start), load(columns[2], start), load(columns[3], start)]
+            [
+                load(columns[0], start),
+                load(columns[1], start),
+                load(columns[2], start),
+                load(columns[3], start),
+            ]
         };
         let mut sum = times(&self.diagonal[chunk], &consecutive(chunk * LANES));
         let [Chunk { slots, images, contiguous }, end] = [self.chunks[chunk], self.chunks[chunk + 1]];
