@@ -63,6 +63,17 @@ pub struct Gauge {
     now: Grid,
     peak: Grid,
     copies: f64,
+    scratch: Scratch,
+}
+
+/// What one reading of sizes works on: kept from step to step, so that a step allocates nothing here.
+#[derive(Default)]
+struct Scratch {
+    /// See [`Gauge::find_deepest`].
+    deepest: Vec<u32>,
+    depths: Vec<f64>,
+    rows: Vec<f64>,
+    lengths: Vec<f64>,
 }
 
 /// Potentials at the nodes of the finest grid and on the top face above them.
@@ -112,6 +123,7 @@ impl Gauge {
             now: grid(0.0),
             peak: grid(f64::NEG_INFINITY),
             copies: f64::from(1u32 << mirrors),
+            scratch: Scratch::default(),
         })
     }
 
@@ -123,10 +135,13 @@ impl Gauge {
         keep_largest(&mut self.peak.nodes, &self.now.nodes);
         keep_largest(&mut self.peak.surface, &self.now.surface);
         let [liquidus, solidus] = self.levels;
-        let solidus = self.extent(&self.now, solidus);
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let liquidus = self.extent(&self.now, liquidus, &mut scratch);
+        let solidus = self.extent(&self.now, solidus, &mut scratch);
+        self.scratch = scratch;
         Measure {
             peak_temperature: self.curve.temperature_at_potential(self.surface_peak()),
-            liquidus: self.extent(&self.now, liquidus),
+            liquidus,
             beyond_finest: self.at_edge(&solidus),
             solidus,
             melt_volume: self.melt_volume(model, particles),
@@ -136,7 +151,7 @@ impl Gauge {
 
     /// Everything that was ever above the liquidus: the weld.
     pub fn weld(&self) -> Extent {
-        self.extent(&self.peak, self.levels[0])
+        self.extent(&self.peak, self.levels[0], &mut Scratch::default())
     }
 
     /// Volume that was ever all liquid, mirror images counted \[m³\].
@@ -262,30 +277,30 @@ impl Gauge {
         surface[at] + rise(0) + rise(1)
     }
 
-    fn extent(&self, grid: &Grid, level: f64) -> Extent {
-        if !grid.surface.iter().chain(&grid.nodes).any(|&theta| theta > level) {
+    fn extent(&self, grid: &Grid, level: f64, scratch: &mut Scratch) -> Extent {
+        self.find_deepest(grid, level, &mut scratch.deepest);
+        if scratch.deepest.iter().all(|&deepest| deepest == 0) {
             return Extent::default();
         }
-        let [nx, ny, _] = self.counts;
-        let along_x: Vec<_> = (0..ny).map(|j| self.span(grid, level, 0, j)).collect();
-        let along_y: Vec<_> = (0..nx).map(|i| self.span(grid, level, 1, i)).collect();
-        let depths = self.depths(grid, level);
-        let by_row: Vec<f64> =
-            (0..ny).map(|j| smooth_maximum(&depths[j * nx..(j + 1) * nx], self.mirror[0])).collect();
-        let depth = smooth_maximum(&by_row, self.mirror[1]).min(self.counts[2] as f64 * self.spacing);
-        let size = |spans: &[Option<[f64; 2]>], axis: usize, across: usize| {
-            let lengths: Vec<f64> =
-                spans.iter().map(|span| span.map_or(0.0, |s| self.whole(s, axis))).collect();
-            smooth_maximum(&lengths, self.mirror[across])
-        };
-        let ends = |spans: &[Option<[f64; 2]>]| {
-            let low = spans.iter().flatten().map(|s| s[0]).fold(f64::INFINITY, f64::min);
-            let high = spans.iter().flatten().map(|s| s[1]).fold(f64::NEG_INFINITY, f64::max);
-            [low, high]
-        };
-        let ([x0, x1], [y0, y1]) = (ends(&along_x), ends(&along_y));
+        let depth = self.depth(grid, level, scratch);
+        let ([x0, x1], length) = self.longest(grid, level, 0, &mut scratch.lengths);
+        let ([y0, y1], width) = self.longest(grid, level, 1, &mut scratch.lengths);
         let bounds = (x0 < x1 && y0 < y1).then_some([[x0, y0, -depth], [x1, y1, 0.0]]);
-        Extent { width: size(&along_y, 1, 0), length: size(&along_x, 0, 1), depth, bounds }
+        Extent { width, length, depth, bounds }
+    }
+
+    /// Ends of all spans along `axis`, and the longest of them.
+    fn longest(&self, grid: &Grid, level: f64, axis: usize, lengths: &mut Vec<f64>) -> ([f64; 2], f64) {
+        let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+        lengths.clear();
+        for row in 0..self.counts[1 - axis] {
+            let span = self.span(grid, level, axis, row);
+            lengths.push(span.map_or(0.0, |span| self.whole(span, axis)));
+            if let Some([low, high]) = span {
+                ends = [ends[0].min(low), ends[1].max(high)];
+            }
+        }
+        (ends, smooth_maximum(lengths, self.mirror[1 - axis]))
     }
 
     /// Length of a span with its mirror image where it touches a symmetry plane.
@@ -311,38 +326,71 @@ impl Gauge {
             self.low[axis]
         } else {
             // Read backwards: from the hot node out.
-            let nodes: Vec<_> =
-                (first.saturating_sub(2)..=(first + 1).min(count - 1)).rev().map(node).collect();
-            let inside =
-                nodes.iter().position(|n| n.0 == x(first)).expect("the node is in its own neighbourhood");
-            crossing(&nodes, inside, level)
+            let end = (first + 1).min(count - 1);
+            let (nodes, found) = near_nodes((first.saturating_sub(2)..=end).rev().map(node));
+            crossing(&nodes[..found], end - first, level)
         };
         let high = if last + 1 == count {
             self.low[axis] + self.spacing * count as f64
         } else {
             let start = last.saturating_sub(1);
-            let nodes: Vec<_> = (start..(last + 3).min(count)).map(node).collect();
-            crossing(&nodes, last - start, level)
+            let (nodes, found) = near_nodes((start..(last + 3).min(count)).map(node));
+            crossing(&nodes[..found], last - start, level)
         };
         Some([low, high])
     }
 
-    /// Depth below the top face to which each column is above `level` \[m\]; zero where it is not.
-    fn depths(&self, grid: &Grid, level: f64) -> Vec<f64> {
-        let (layer, nz) = (self.surface_len(), self.counts[2]);
-        let depth = |column: usize| {
-            let value =
-                |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
-            let z = |k: usize| if k == 0 { 0.0 } else { self.spacing * (k as f64 - 0.5) };
-            let Some(last) = (0..=nz).rfind(|&k| value(k) > level) else { return 0.0 };
-            if last == nz {
-                return nz as f64 * self.spacing;
+    /// Sets `deepest` to one more than the index of each column's deepest value above `level`, the top face being value
+    /// zero; to zero where there is none.
+    fn find_deepest(&self, grid: &Grid, level: f64, deepest: &mut Vec<u32>) {
+        deepest.clear();
+        deepest.extend(grid.surface.iter().map(|&theta| u32::from(theta > level)));
+        for (layer, nodes) in grid.nodes.chunks_exact(self.surface_len()).enumerate() {
+            for (deepest, &theta) in deepest.iter_mut().zip(nodes) {
+                *deepest = if theta > level { layer as u32 + 2 } else { *deepest };
             }
-            let start = last.saturating_sub(1);
-            let nodes: Vec<_> = (start..(last + 3).min(nz + 1)).map(|k| (z(k), value(k))).collect();
-            crossing(&nodes, last - start, level)
-        };
-        (0..layer).map(depth).collect()
+        }
+    }
+
+    /// Largest depth of the region that `scratch.deepest` outlines \[m\].
+    ///
+    /// Only rows and columns that hold the deepest node, and those beside them, can decide: the rest is left at zero.
+    fn depth(&self, grid: &Grid, level: f64, scratch: &mut Scratch) -> f64 {
+        let Scratch { deepest, depths, rows, .. } = scratch;
+        let nx = self.counts[0];
+        let row_deepest = |row: usize| deepest[row * nx..(row + 1) * nx].iter().copied().max().unwrap_or(0);
+        let whole = deepest.iter().copied().max().unwrap_or(0);
+        rows.clear();
+        rows.resize(self.counts[1], 0.0);
+        for row in 0..self.counts[1] {
+            let beside = row.saturating_sub(1)..(row + 2).min(self.counts[1]);
+            if beside.clone().all(|row| row_deepest(row) < whole) {
+                continue;
+            }
+            let reach = row_deepest(row);
+            let own = &deepest[row * nx..(row + 1) * nx];
+            depths.clear();
+            depths.extend((0..nx).map(|i| {
+                let decides = own[i.saturating_sub(1)..(i + 2).min(nx)].contains(&reach);
+                if decides { self.column_depth(grid, level, row * nx + i, own[i] as usize) } else { 0.0 }
+            }));
+            rows[row] = smooth_maximum(depths, self.mirror[0]);
+        }
+        smooth_maximum(rows, self.mirror[1]).min(self.counts[2] as f64 * self.spacing)
+    }
+
+    /// Depth below the top face to which a column is above `level` \[m\], by its entry in `Scratch::deepest`.
+    fn column_depth(&self, grid: &Grid, level: f64, column: usize, deepest: usize) -> f64 {
+        let (layer, nz) = (self.surface_len(), self.counts[2]);
+        let Some(last) = deepest.checked_sub(1) else { return 0.0 };
+        if last == nz {
+            return nz as f64 * self.spacing;
+        }
+        let value = |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
+        let z = |k: usize| if k == 0 { 0.0 } else { self.spacing * (k as f64 - 0.5) };
+        let start = last.saturating_sub(1);
+        let (nodes, count) = near_nodes((start..(last + 3).min(nz + 1)).map(|k| (z(k), value(k))));
+        crossing(&nodes[..count], last - start, level)
     }
 
     /// Whether a region reaches an edge of the grid that is no face of the part.
@@ -364,6 +412,16 @@ impl Gauge {
         };
         self.copies * (0..particles.len()).map(share).sum::<f64>()
     }
+}
+
+/// Up to four nodes without an allocation, and how many they are.
+fn near_nodes(nodes: impl Iterator<Item = (f64, f64)>) -> ([(f64, f64); 4], usize) {
+    let (mut near, mut count) = ([(0.0, 0.0); 4], 0);
+    for (place, node) in near.iter_mut().zip(nodes) {
+        *place = node;
+        count += 1;
+    }
+    (near, count)
 }
 
 fn keep_largest(peak: &mut [f64], now: &[f64]) {

@@ -280,16 +280,13 @@ pub(super) fn block_sum<const N: usize>(count: usize, term: impl Fn(usize) -> [f
         sum
     };
     let blocks = count.div_ceil(BLOCK);
-    let sums: Vec<[f64; N]> = if count < PARALLEL_PARTICLES {
-        (0..blocks).map(block).collect()
-    } else {
-        (0..blocks).into_par_iter().map(block).collect()
+    let add = |mut total: [f64; N], sum: [f64; N]| {
+        (0..N).for_each(|k| total[k] += sum[k]);
+        total
     };
-    let mut total = [0.0; N];
-    for sum in sums {
-        for k in 0..N {
-            total[k] += sum[k];
-        }
+    if count < PARALLEL_PARTICLES {
+        return (0..blocks).map(block).fold([0.0; N], add);
     }
-    total
+    let sums: Vec<[f64; N]> = (0..blocks).into_par_iter().map(block).collect();
+    sums.into_iter().fold([0.0; N], add)
 }

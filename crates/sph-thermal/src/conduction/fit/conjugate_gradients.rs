@@ -53,7 +53,9 @@ pub(super) fn conjugate_gradients(
         let next = advance(rows, &mut lanes, &direction, square);
         let ratio = next / square;
         set_direction(&mut direction, |chunk, part, old| {
-            std::array::from_fn(|lane| lanes[chunk].conditioned[part][lane] + ratio * old[lane])
+            let mut turned = lanes[chunk].conditioned[part];
+            (0..LANES).for_each(|lane| turned[lane] += ratio * old[lane]);
+            turned
         });
         square = next;
         iterations += 1;
@@ -76,10 +78,12 @@ fn begin(rows: &MomentRows, right_hand_side: &[Four], guess: Vec<Four>, directio
 /// One step along `direction`; returns the new square of the residual.
 fn advance(rows: &MomentRows, lanes: &mut [Lane], direction: &[f64], square: f64) -> f64 {
     let along = |chunk: usize| -> Four {
-        std::array::from_fn(|part| {
+        let mut values = [[0.0; LANES]; 4];
+        for part in 0..4 {
             let start = (part * rows.chunks() + chunk) * LANES;
-            direction[start..start + LANES].try_into().expect("a slice of LANES entries")
-        })
+            values[part].copy_from_slice(&direction[start..start + LANES]);
+        }
+        values
     };
     for_each(lanes, |chunk, lane| {
         lane.image = rows.apply(chunk, direction);
@@ -131,5 +135,11 @@ fn dot(a: &Four, b: &Four) -> f64 {
 
 #[inline]
 fn add(a: &Four, factor: f64, b: &Four) -> Four {
-    std::array::from_fn(|part| std::array::from_fn(|lane| a[part][lane] + factor * b[part][lane]))
+    let mut sum = *a;
+    for part in 0..4 {
+        for lane in 0..LANES {
+            sum[part][lane] += factor * b[part][lane];
+        }
+    }
+    sum
 }

@@ -74,26 +74,32 @@ impl MomentRows {
     }
 
     /// Rows of one chunk times `phi`, four columns one after the other.
+    #[inline]
     pub(super) fn apply(&self, chunk: usize, phi: &[f64]) -> Four {
         let padded = self.chunks() * LANES;
-        let columns: [&[f64]; 4] = std::array::from_fn(|part| &phi[part * padded..(part + 1) * padded]);
-        let own = columns.map(|column| load(column, chunk * LANES));
-        let mut sum = times(&self.diagonal[chunk], &own);
+        let column = |part: usize| &phi[part * padded..(part + 1) * padded];
+        let columns = [column(0), column(1), column(2), column(3)];
+        let consecutive = |start: usize| -> Four {
+            [
+                load(columns[0], start),
+                load(columns[1], start),
+                load(columns[2], start),
+                load(columns[3], start),
+            ]
+        };
+        let mut sum = times(&self.diagonal[chunk], &consecutive(chunk * LANES));
         let [Chunk { slots, images, contiguous }, end] = [self.chunks[chunk], self.chunks[chunk + 1]];
         for (q, column) in self.slots[slots..end.slots].iter().zip(&self.columns[slots..end.slots]) {
-            let other = if contiguous {
-                columns.map(|values| load(values, column[0] as usize))
+            if contiguous {
+                add_slot(&mut sum, q, &consecutive(column[0] as usize));
             } else {
-                columns.map(|values| column.map(|index| values[index as usize]))
-            };
-            for lane in 0..LANES {
-                let met = q[3][lane] * other[3][lane]
-                    - (q[0][lane] * other[0][lane]
-                        + q[1][lane] * other[1][lane]
-                        + q[2][lane] * other[2][lane]);
+                let mut other = [[0.0; LANES]; 4];
                 for part in 0..4 {
-                    sum[part][lane] += q[part][lane] * met;
+                    for lane in 0..LANES {
+                        other[part][lane] = columns[part][column[lane] as usize];
+                    }
                 }
+                add_slot(&mut sum, q, &other);
             }
         }
         for image in &self.images[images..end.images] {
@@ -104,6 +110,7 @@ impl MomentRows {
     }
 
     /// The preconditioner on one chunk.
+    #[inline]
     pub(super) fn precondition(&self, chunk: usize, residual: &Four) -> Four {
         times(&self.inverse[chunk], residual)
     }
@@ -194,14 +201,25 @@ fn load(column: &[f64], start: usize) -> [f64; LANES] {
 
 /// Symmetric blocks times vectors.
 #[inline]
-fn times(blocks: &Blocks, vectors: &Four) -> Four {
+fn times(blocks: &Blocks, [x, y, z, s]: &Four) -> Four {
+    let [xx, xy, xz, xs, yy, yz, ys, zz, zs, ss] = blocks;
     let mut product = [[0.0; LANES]; 4];
-    for row in 0..4 {
-        for column in 0..4 {
-            for lane in 0..LANES {
-                product[row][lane] += blocks[TRIANGLE[row][column]][lane] * vectors[column][lane];
-            }
-        }
+    for k in 0..LANES {
+        product[0][k] = xx[k] * x[k] + xy[k] * y[k] + xz[k] * z[k] + xs[k] * s[k];
+        product[1][k] = xy[k] * x[k] + yy[k] * y[k] + yz[k] * z[k] + ys[k] * s[k];
+        product[2][k] = xz[k] * x[k] + yz[k] * y[k] + zz[k] * z[k] + zs[k] * s[k];
+        product[3][k] = xs[k] * x[k] + ys[k] * y[k] + zs[k] * z[k] + ss[k] * s[k];
     }
     product
+}
+
+/// Adds q (q' . phi_j) of one slot, q' = (-x, -y, -z, r²) of q.
+#[inline]
+fn add_slot(sum: &mut Four, q: &Four, [x, y, z, s]: &Four) {
+    for k in 0..LANES {
+        let met = q[3][k] * s[k] - (q[0][k] * x[k] + q[1][k] * y[k] + q[2][k] * z[k]);
+        for part in 0..4 {
+            sum[part][k] += q[part][k] * met;
+        }
+    }
 }
