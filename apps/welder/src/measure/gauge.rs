@@ -10,7 +10,7 @@ use crate::case::scene::Face;
 use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use laser_source::SurfacePatches;
-use sph_thermal::boundary::surface_potential;
+use sph_thermal::boundary::{SurfaceLoss, surface_potential};
 use sph_thermal::phase::EnthalpyCurve;
 
 /// The flux at the end of a step is taken as the mean over this last share of it.
@@ -47,6 +47,8 @@ pub struct Gauge {
     levels: [f64; 2],
     sampler: Sampler,
     patches: Option<SurfacePatches>,
+    /// What leaves through the top face to the surroundings.
+    loss: Option<SurfaceLoss>,
     flux: Vec<f64>,
     now: Grid,
     peak: Grid,
@@ -96,6 +98,7 @@ impl Gauge {
             curve,
             sampler: Sampler::new(workpiece, &model.faces),
             patches,
+            loss: top_loss(model)?,
             flux: vec![0.0; nx * ny],
             now: grid(0.0),
             peak: grid(f64::NEG_INFINITY),
@@ -197,7 +200,15 @@ impl Gauge {
         for column in 0..layer {
             let first = self.now.nodes[column];
             let second = if self.counts[2] > 1 { self.now.nodes[layer + column] } else { first };
-            self.now.surface[column] = surface_potential((z1, first), (z2, second), self.flux[column]);
+            let surface = |flux: f64| surface_potential((z1, first), (z2, second), flux);
+            let entering = self.flux[column];
+            self.now.surface[column] = match &self.loss {
+                Some(loss) => {
+                    let leaving = loss.flux(self.curve.temperature_at_potential(surface(entering)));
+                    surface(entering - leaving)
+                }
+                None => surface(entering),
+            };
         }
     }
 
@@ -322,6 +333,16 @@ impl Gauge {
             particles.volume[i] * curve.liquid_fraction(particles.enthalpy[i])
         };
         self.copies * (0..particles.len()).map(share).sum::<f64>()
+    }
+}
+
+/// The loss of the top face, if it has one.
+fn top_loss(model: &Model) -> Result<Option<SurfaceLoss>, ModelError> {
+    match model.faces.top {
+        Face::Losses { convection_w_m2_k, emissivity, ambient_k } => {
+            Ok(Some(SurfaceLoss::new(convection_w_m2_k, emissivity, ambient_k)?))
+        }
+        _ => Ok(None),
     }
 }
 
