@@ -1,6 +1,6 @@
 //! The command line: commands, options, exit codes. The commands themselves live in modules of their names.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -142,6 +142,15 @@ impl ExitStatus {
 impl From<ExitStatus> for ExitCode {
     fn from(status: ExitStatus) -> Self {
         ExitCode::from(status.code())
+    }
+}
+
+/// Prints to standard output; a reader who has gone away is no error.
+pub fn say(text: &str) {
+    let mut out = std::io::stdout().lock();
+    let told = out.write_all(text.as_bytes()).and_then(|()| out.write_all(b"\n"));
+    if let Err(error) = told {
+        tracing::debug!("nobody reads the output: {error}");
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub mod build;
 pub mod case;
+pub mod check;
 pub mod cli;
 pub mod list;
 pub mod measure;
@@ -9,4 +10,6 @@ pub mod model;
 pub mod observe;
 pub mod particles;
 pub mod physics;
+pub mod precision;
 pub mod run;
+pub mod verify;

@@ -5,8 +5,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use tracing_subscriber::EnvFilter;
-use welder::case;
-use welder::cli::{self, CheckArguments, Command, CommandLine, ExitStatus};
+use welder::cli::{Command, CommandLine, ExitStatus};
 
 fn main() -> ExitCode {
     let line = CommandLine::parse();
@@ -26,20 +25,9 @@ fn start_log(command: &Command) {
 fn dispatch(command: Command) -> ExitStatus {
     match command {
         Command::List => welder::list::command(),
-        Command::Check(arguments) => check(&arguments),
-        Command::Run(_) | Command::Verify(_) | Command::Precision(_) => {
-            tracing::error!("this command is not built yet");
-            ExitStatus::RunFailed
-        }
-    }
-}
-
-fn check(arguments: &CheckArguments) -> ExitStatus {
-    match case::load(&arguments.case, &arguments.overrides) {
-        Ok(case) => {
-            println!("{}: the case is well formed", case.name);
-            ExitStatus::Done
-        }
-        Err(error) => cli::refuse(&error),
+        Command::Check(arguments) => welder::check::command(&arguments),
+        Command::Run(arguments) => welder::run::command(&arguments),
+        Command::Precision(arguments) => welder::precision::command(&arguments),
+        Command::Verify(arguments) => welder::verify::command(&arguments),
     }
 }

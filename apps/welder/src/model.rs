@@ -1,7 +1,7 @@
 //! The case as the engine takes it: numbers and curves instead of names and cards.
 
-use crate::case::{Case, MaterialCard, Property};
 use crate::case::scene::{EnthalpyCurve as CurveChoice, Faces, Heat, Resolution};
+use crate::case::{Case, MaterialCard, Property};
 use laser_source::LaserSource;
 use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
 use std::sync::Arc;
@@ -65,7 +65,8 @@ impl Model {
         let heat = scene.heat().copied().unwrap_or_default();
         let materials: Vec<_> =
             case.materials.iter().map(|material| thermal(&material.card)).collect::<Result<_, _>>()?;
-        let curves = materials.iter().map(|material| curve(material, heat.enthalpy)).collect::<Result<_, _>>()?;
+        let curves =
+            materials.iter().map(|material| curve(material, heat.enthalpy)).collect::<Result<_, _>>()?;
         let filled = case.clone();
         let start = Arc::new(move |point| {
             let (material, temperature) = filled.fill_at(point);

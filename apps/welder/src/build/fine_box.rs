@@ -43,16 +43,15 @@ pub fn lit_box(model: &Model) -> [[f64; 3]; 2] {
     let (low, high) = model.bounds();
     let Some(laser) = &model.laser else { return [low, high] };
     let radius = laser.beam().radius_m();
-    let lit: Vec<_> = laser.track().points().windows(2).filter(|ends| ends[0].power_w + ends[1].power_w > 0.0).collect();
-    let end = |pick: fn(f64, f64) -> f64, start: f64, of: fn(&laser_source::TrackPoint) -> f64| {
-        lit.iter().flat_map(|ends| ends.iter()).map(of).fold(start, pick)
-    };
-    let (x, y): (fn(&laser_source::TrackPoint) -> f64, fn(&laser_source::TrackPoint) -> f64) = (|p| p.x_m, |p| p.y_m);
-    let inf = f64::INFINITY;
-    [
-        [end(f64::min, inf, x) - radius, end(f64::min, inf, y) - radius, 0.0],
-        [end(f64::max, -inf, x) + radius, end(f64::max, -inf, y) + radius, 0.0],
-    ]
+    let ends = laser.track().points().windows(2).filter(|ends| ends[0].power_w + ends[1].power_w > 0.0);
+    let mut lit = [[f64::INFINITY, f64::INFINITY, 0.0], [f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0]];
+    for point in ends.flatten() {
+        for (axis, x) in [point.x_m, point.y_m].into_iter().enumerate() {
+            lit[0][axis] = lit[0][axis].min(x - radius);
+            lit[1][axis] = lit[1][axis].max(x + radius);
+        }
+    }
+    lit
 }
 
 /// The box of finest cells around a pool that reaches from `low` to `high` \[m\], with its margin.
@@ -62,8 +61,12 @@ pub fn fine_box_around(model: &Model, low: [f64; 3], high: [f64; 3]) -> CellBox<
     let margin = (MARGIN_BEAM_RADII * beam).max(MARGIN_CELLS * spacing);
     let (part_low, _) = model.bounds();
     let counts = model.counts();
-    let down = |x: f64, axis: usize| (((x - part_low[axis] - margin) / spacing).floor() as i64).clamp(0, counts[axis]);
-    let up = |x: f64, axis: usize| (((x - part_low[axis] + margin) / spacing).ceil() as i64).clamp(0, counts[axis]);
+    let down = |x: f64, axis: usize| {
+        (((x - part_low[axis] - margin) / spacing).floor() as i64).clamp(0, counts[axis])
+    };
+    let up = |x: f64, axis: usize| {
+        (((x - part_low[axis] + margin) / spacing).ceil() as i64).clamp(0, counts[axis])
+    };
     // The third axis counts cells down from the top face.
     let deepest = (((-low[2] + margin) / spacing).ceil() as i64).clamp(1, counts[2]);
     CellBox { low: [down(low[0], 0), down(low[1], 1), 0], high: [up(high[0], 0), up(high[1], 1), deepest] }

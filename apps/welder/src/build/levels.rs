@@ -102,22 +102,18 @@ impl<const D: usize> LevelPlan<D> {
         self.split.len() + 1
     }
 
+    /// Number of cells, without making them.
+    pub fn count(&self) -> u64 {
+        let mut count = 0;
+        self.visit(&mut |_| count += 1);
+        count
+    }
+
     /// All cells, sorted by level and then along the first axis, the second, the last: neighbours in space are
     /// neighbours in memory, and rows of cells see the same pattern of neighbours.
     pub fn cells(&self) -> Vec<Cell<D>> {
-        let top = self.split.len() as u32;
-        let edge = 1i64 << top;
-        let blocks: [i64; D] = self.counts.map(|count| (count + edge - 1) / edge);
         let mut cells = Vec::new();
-        for block in 0..blocks.iter().product::<i64>() {
-            let mut rest = block;
-            let low = std::array::from_fn(|axis| {
-                let at = rest % blocks[axis];
-                rest /= blocks[axis];
-                at * edge
-            });
-            self.collect(Cell { level: top, low }, &mut cells);
-        }
+        self.visit(&mut |cell| cells.push(cell));
         cells.sort_unstable_by_key(|cell| {
             let mut key = cell.low;
             key.reverse();
@@ -126,7 +122,22 @@ impl<const D: usize> LevelPlan<D> {
         cells
     }
 
-    fn collect(&self, cell: Cell<D>, cells: &mut Vec<Cell<D>>) {
+    fn visit(&self, each: &mut impl FnMut(Cell<D>)) {
+        let top = self.split.len() as u32;
+        let edge = 1i64 << top;
+        let blocks: [i64; D] = self.counts.map(|count| (count + edge - 1) / edge);
+        for block in 0..blocks.iter().product::<i64>() {
+            let mut rest = block;
+            let low = std::array::from_fn(|axis| {
+                let at = rest % blocks[axis];
+                rest /= blocks[axis];
+                at * edge
+            });
+            self.descend(Cell { level: top, low }, each);
+        }
+    }
+
+    fn descend(&self, cell: Cell<D>, each: &mut impl FnMut(Cell<D>)) {
         let edge = 1i64 << cell.level;
         if (0..D).any(|axis| cell.low[axis] >= self.counts[axis]) {
             return;
@@ -134,12 +145,12 @@ impl<const D: usize> LevelPlan<D> {
         let bounds = CellBox { low: cell.low, high: cell.low.map(|low| low + edge) };
         let splits = |region: &CellBox<D>| region.meets(&bounds);
         if cell.level == 0 || !self.split[cell.level as usize - 1].iter().any(splits) {
-            cells.push(cell);
+            each(cell);
             return;
         }
         for child in 0..1usize << D {
             let low = std::array::from_fn(|axis| cell.low[axis] + ((child >> axis) & 1) as i64 * edge / 2);
-            self.collect(Cell { level: cell.level - 1, low }, cells);
+            self.descend(Cell { level: cell.level - 1, low }, each);
         }
     }
 }
@@ -165,7 +176,8 @@ mod tests {
         for cell in cells {
             let edge = 1i64 << cell.level;
             for n in 0..edge.pow(3) {
-                let at = [cell.low[0] + n % edge, cell.low[1] + n / edge % edge, cell.low[2] + n / edge / edge];
+                let at =
+                    [cell.low[0] + n % edge, cell.low[1] + n / edge % edge, cell.low[2] + n / edge / edge];
                 assert!(owners.insert(at, cell.level).is_none(), "two cells own {at:?}");
             }
         }

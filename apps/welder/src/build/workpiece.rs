@@ -2,8 +2,8 @@
 
 use super::{Cell, CellBox, LevelPlan};
 use crate::case::scene::{Face, Faces};
-use crate::particles::Particles;
 use crate::model::Model;
+use crate::particles::Particles;
 use nalgebra::{SVector, Vector3};
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;

@@ -91,7 +91,7 @@ pub enum EnthalpyCurve {
 pub enum Stepping {
     /// Stabilised explicit steps of many stages.
     SuperSteps {
-        /// Estimated error that one step may make, over the heat taken up so far (both root mean squares). Default: 0.1.
+        /// Estimated error that one step may make, over the heat taken up so far (both root mean squares). Default: 0.05.
         #[serde(default = "default_tolerance")]
         tolerance: f64,
         /// Most stages of one step, at least 3. Default: 60.
@@ -107,7 +107,7 @@ pub enum Stepping {
 }
 
 fn default_tolerance() -> f64 {
-    0.1
+    0.05
 }
 
 fn default_max_stages() -> u32 {

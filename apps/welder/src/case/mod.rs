@@ -16,10 +16,11 @@ mod resolution;
 mod scan;
 pub mod scene;
 mod set;
-mod source;
+pub mod source;
 mod validate;
 
 pub use card::{CardSource, read_card};
 pub use load::{Case, load, resolved_ron};
+pub(crate) use nearest::suggestion;
 pub use material::{Material, MaterialCard, Property, Quantity};
 pub use problem::{CaseError, Problem};

@@ -10,6 +10,7 @@ use crate::case::scene::Face;
 use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use laser_source::SurfacePatches;
+use serde::{Deserialize, Serialize};
 use sph_thermal::boundary::{SurfaceLoss, surface_potential};
 use sph_thermal::phase::EnthalpyCurve;
 
@@ -17,7 +18,7 @@ use sph_thermal::phase::EnthalpyCurve;
 const END_OF_STEP: f64 = 1e-3;
 
 /// What was measured at one time.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Measure {
     /// Hottest point of the top face \[K\], between particles.
     pub peak_temperature: f64,
@@ -31,6 +32,17 @@ pub struct Measure {
     pub over_solidus: f64,
     /// Whether melt has reached the edge of the finest spacing.
     pub beyond_finest: bool,
+}
+
+/// Temperatures on a plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Map {
+    /// Columns, rising \[m\].
+    pub x: Vec<f64>,
+    /// Rows, rising \[m\].
+    pub y: Vec<f64>,
+    /// Row after row \[K\].
+    pub temperature: Vec<f64>,
 }
 
 /// Reads sizes off the finest grid of a workpiece.
@@ -161,33 +173,55 @@ impl Gauge {
         self.copies
     }
 
-    /// Temperatures \[K\] in the upright section through the grid's column nearest to `at` on `axis`, as
-    /// (horizontal m, vertical m, temperatures row by row from the top face down).
-    pub fn section(&self, axis: usize, at: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    /// Temperatures of the last measure in the upright section through the column nearest to `at` \[m\] on `axis`, mirror
+    /// image added where the section ends on a symmetry plane.
+    pub fn section(&self, axis: usize, at: f64) -> Map {
         let [nx, ny, nz] = self.counts;
         let along = 1 - axis;
-        let fixed = ((at - self.low[axis]) / self.spacing - 0.5).round().clamp(0.0, self.counts[axis] as f64 - 1.0);
-        let column = |k: usize| if axis == 1 { fixed as usize * nx + k } else { k * nx + fixed as usize };
-        let count = self.counts[along];
-        let horizontal = (0..count).map(|k| self.low[along] + self.spacing * (k as f64 + 0.5)).collect();
-        let vertical = std::iter::once(0.0).chain((0..nz).map(|k| -self.spacing * (k as f64 + 0.5))).collect();
-        let temperature = |theta: f64| self.curve.temperature_at_potential(theta);
-        let mut values: Vec<f64> = (0..count).map(|k| temperature(self.now.surface[column(k)])).collect();
-        for layer in 0..nz {
-            values.extend((0..count).map(|k| temperature(self.now.nodes[layer * nx * ny + column(k)])));
-        }
-        (horizontal, vertical, values)
+        let column =
+            ((at - self.low[axis]) / self.spacing - 0.5).round().clamp(0.0, self.counts[axis] as f64 - 1.0);
+        let column = column as usize;
+        let node = |layer: usize, k: usize| {
+            let place = if axis == 1 { column * nx + k } else { k * nx + column };
+            self.curve.temperature_at_potential(self.now.nodes[layer * nx * ny + place])
+        };
+        let y = (0..nz).rev().map(|layer| -self.spacing * (layer as f64 + 0.5)).collect();
+        self.unfold(along, y, |row, k| node(nz - 1 - row, k))
     }
 
-    /// Temperatures \[K\] of the top face as (x m, y m, temperatures row by row along y).
-    pub fn top(&self) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
-        let axis = |a: usize| (0..self.counts[a]).map(|k| self.low[a] + self.spacing * (k as f64 + 0.5)).collect();
-        let values = self.now.surface.iter().map(|&theta| self.curve.temperature_at_potential(theta)).collect();
-        (axis(0), axis(1), values)
+    /// Temperatures of the top face at the last measure, mirror images added.
+    pub fn top(&self) -> Map {
+        let nx = self.counts[0];
+        let temperature =
+            |j: usize, i: usize| self.curve.temperature_at_potential(self.now.surface[j * nx + i]);
+        let y: Vec<f64> =
+            (0..self.counts[1]).map(|j| self.low[1] + self.spacing * (j as f64 + 0.5)).collect();
+        if !self.mirror[1][0] {
+            return self.unfold(0, y, temperature);
+        }
+        let count = y.len();
+        let plane = self.low[1];
+        let both = y.iter().rev().map(|y| 2.0 * plane - y).chain(y.iter().copied()).collect();
+        self.unfold(0, both, |row, i| temperature(if row < count { count - 1 - row } else { row - count }, i))
+    }
+
+    /// A map over x on `axis` (unfolded at a mirror plane at its low end) and rows `y`.
+    fn unfold(&self, axis: usize, y: Vec<f64>, value: impl Fn(usize, usize) -> f64) -> Map {
+        let count = self.counts[axis];
+        let x: Vec<f64> = (0..count).map(|k| self.low[axis] + self.spacing * (k as f64 + 0.5)).collect();
+        let mirrored = if self.mirror[axis][0] { count } else { 0 };
+        let reflect = |k: usize| if k < mirrored { mirrored - 1 - k } else { k - mirrored };
+        let plane = self.low[axis];
+        let place = |k: usize| if k < mirrored { 2.0 * plane - x[reflect(k)] } else { x[reflect(k)] };
+        let columns = mirrored + count;
+        let temperature = (0..y.len()).flat_map(|row| (0..columns).map(move |k| (row, k)));
+        let temperature = temperature.map(|(row, k)| value(row, reflect(k))).collect();
+        Map { x: (0..columns).map(place).collect(), y, temperature }
     }
 
     fn read_surface(&mut self, model: &Model, time: f64, step: f64) {
-        self.flux.fill(0.0);
+        let steady = if let Face::Flux { flux_w_m2 } = model.faces.top { flux_w_m2 } else { 0.0 };
+        self.flux.fill(steady);
         if let (Some(patches), Some(laser)) = (&mut self.patches, &model.laser) {
             let surface = matches!(laser.absorption(), laser_source::Absorption::Surface { .. });
             if surface && step > 0.0 {
@@ -219,13 +253,16 @@ impl Gauge {
     /// Highest potential of the top face, with the parabolas through its neighbours along x and y.
     fn surface_peak(&self) -> f64 {
         let surface = &self.now.surface;
-        let Some(at) = (0..surface.len()).max_by(|&a, &b| surface[a].total_cmp(&surface[b])) else { return 0.0 };
+        let Some(at) = (0..surface.len()).max_by(|&a, &b| surface[a].total_cmp(&surface[b])) else {
+            return 0.0;
+        };
         let nx = self.counts[0];
         let place = [at % nx, at / nx];
         let stride = [1, nx];
         let rise = |axis: usize| {
             let [low, high] = self.mirror[axis];
-            let before = if place[axis] > 0 { Some(surface[at - stride[axis]]) } else { low.then_some(surface[at]) };
+            let before =
+                if place[axis] > 0 { Some(surface[at - stride[axis]]) } else { low.then_some(surface[at]) };
             let last = place[axis] + 1 == self.counts[axis];
             let after = if last { high.then_some(surface[at]) } else { Some(surface[at + stride[axis]]) };
             match (before, after) {
@@ -244,12 +281,12 @@ impl Gauge {
         let along_x: Vec<_> = (0..ny).map(|j| self.span(grid, level, 0, j)).collect();
         let along_y: Vec<_> = (0..nx).map(|i| self.span(grid, level, 1, i)).collect();
         let depths = self.depths(grid, level);
-        let by_row: Vec<f64> = (0..ny)
-            .map(|j| smooth_maximum(&depths[j * nx..(j + 1) * nx], self.mirror[0]))
-            .collect();
+        let by_row: Vec<f64> =
+            (0..ny).map(|j| smooth_maximum(&depths[j * nx..(j + 1) * nx], self.mirror[0])).collect();
         let depth = smooth_maximum(&by_row, self.mirror[1]).min(self.counts[2] as f64 * self.spacing);
         let size = |spans: &[Option<[f64; 2]>], axis: usize, across: usize| {
-            let lengths: Vec<f64> = spans.iter().map(|span| span.map_or(0.0, |s| self.whole(s, axis))).collect();
+            let lengths: Vec<f64> =
+                spans.iter().map(|span| span.map_or(0.0, |s| self.whole(s, axis))).collect();
             smooth_maximum(&lengths, self.mirror[across])
         };
         let ends = |spans: &[Option<[f64; 2]>]| {
@@ -267,7 +304,8 @@ impl Gauge {
         let low_end = self.low[axis];
         let high_end = low_end + self.spacing * self.counts[axis] as f64;
         let touches = |mirror: bool, gap: f64| mirror && gap < 1e-9 * self.spacing;
-        let doubled = touches(self.mirror[axis][0], low - low_end) || touches(self.mirror[axis][1], high_end - high);
+        let doubled =
+            touches(self.mirror[axis][0], low - low_end) || touches(self.mirror[axis][1], high_end - high);
         if doubled { 2.0 * (high - low) } else { high - low }
     }
 
@@ -284,8 +322,10 @@ impl Gauge {
             self.low[axis]
         } else {
             // Read backwards: from the hot node out.
-            let nodes: Vec<_> = (first.saturating_sub(2)..=(first + 1).min(count - 1)).rev().map(node).collect();
-            let inside = nodes.iter().position(|n| n.0 == x(first)).expect("the node is in its own neighbourhood");
+            let nodes: Vec<_> =
+                (first.saturating_sub(2)..=(first + 1).min(count - 1)).rev().map(node).collect();
+            let inside =
+                nodes.iter().position(|n| n.0 == x(first)).expect("the node is in its own neighbourhood");
             crossing(&nodes, inside, level)
         };
         let high = if last + 1 == count {
@@ -302,7 +342,8 @@ impl Gauge {
     fn depths(&self, grid: &Grid, level: f64) -> Vec<f64> {
         let (layer, nz) = (self.surface_len(), self.counts[2]);
         let depth = |column: usize| {
-            let value = |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
+            let value =
+                |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
             let z = |k: usize| if k == 0 { 0.0 } else { self.spacing * (k as f64 - 0.5) };
             let Some(last) = (0..=nz).rfind(|&k| value(k) > level) else { return 0.0 };
             if last == nz {
@@ -351,7 +392,8 @@ fn keep_largest(peak: &mut [f64], now: &[f64]) {
 }
 
 fn over_solidus(model: &Model, particles: &Particles<3>) -> f64 {
-    let over = |i: usize| particles.enthalpy[i] - model.curves[particles.material[i] as usize].enthalpy_solidus();
+    let over =
+        |i: usize| particles.enthalpy[i] - model.curves[particles.material[i] as usize].enthalpy_solidus();
     (0..particles.len()).map(over).fold(f64::NEG_INFINITY, f64::max)
 }
 

@@ -39,7 +39,10 @@ impl Sampler {
     pub fn read(&self, field: impl Fn(usize) -> f64, nodes: &mut [f64]) {
         match self {
             Self::Lattice(particles) => {
-                nodes.iter_mut().zip(particles).for_each(|(node, &particle)| *node = field(particle as usize));
+                nodes
+                    .iter_mut()
+                    .zip(particles)
+                    .for_each(|(node, &particle)| *node = field(particle as usize));
             }
             Self::Scattered { starts, entries } => {
                 for (node, range) in nodes.iter_mut().zip(starts.windows(2)) {
@@ -81,7 +84,16 @@ fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {
 fn weights(offsets: &[Vector3<f64>]) -> Vec<f64> {
     let basis = |r: &Vector3<f64>| {
         SVector::<f64, 10>::from([
-            1.0, r.x, r.y, r.z, r.x * r.x, r.y * r.y, r.z * r.z, r.x * r.y, r.y * r.z, r.z * r.x,
+            1.0,
+            r.x,
+            r.y,
+            r.z,
+            r.x * r.x,
+            r.y * r.y,
+            r.z * r.z,
+            r.x * r.y,
+            r.y * r.z,
+            r.z * r.x,
         ])
     };
     let weight = |r: &Vector3<f64>| (1.0 - r.norm()).max(0.0).powi(4) * (1.0 + 4.0 * r.norm()) + 1e-9;

@@ -3,8 +3,10 @@
 //! Crossings use the cubic through the four nearest nodes: it halves the error in depth of linear interpolation. The
 //! largest of a row of sizes lies between its samples too: the parabola through the largest and its neighbours finds it.
 
+use serde::{Deserialize, Serialize};
+
 /// Size of a region above a level \[m\].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Extent {
     /// Along y: across a seam that runs along x.
     pub width: f64,
@@ -36,7 +38,7 @@ impl Extent {
 }
 
 /// The polynomial through nodes `(x, f)` at `x`.
-fn lagrange(nodes: &[(f64, f64)], x: f64) -> f64 {
+pub(crate) fn lagrange(nodes: &[(f64, f64)], x: f64) -> f64 {
     let basis = |k: usize| {
         let others = nodes.iter().enumerate().filter(|(other, _)| *other != k);
         others.map(|(_, node)| (x - node.0) / (nodes[k].0 - node.0)).product::<f64>()
@@ -46,7 +48,7 @@ fn lagrange(nodes: &[(f64, f64)], x: f64) -> f64 {
 
 /// Where the field passes `level` between `inside` and the next of `nodes` (rising x); the caller knows that it is above
 /// at `inside` and not above at the next.
-pub(super) fn crossing(nodes: &[(f64, f64)], inside: usize, level: f64) -> f64 {
+pub(crate) fn crossing(nodes: &[(f64, f64)], inside: usize, level: f64) -> f64 {
     let first = inside.saturating_sub(1);
     let near = &nodes[first..(inside + 3).min(nodes.len())];
     let (mut low, mut high) = (nodes[inside].0, nodes[inside + 1].0);

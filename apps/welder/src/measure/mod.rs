@@ -4,6 +4,7 @@ mod gauge;
 mod interpolate;
 mod isotherm;
 
-pub use gauge::{Gauge, Measure};
+pub use gauge::{Gauge, Map, Measure};
 pub use interpolate::Sampler;
 pub use isotherm::Extent;
+pub(crate) use isotherm::{crossing, lagrange};

@@ -41,6 +41,9 @@ pub struct HistoryRow {
 
 /// Writes the history as the run goes; each row is in the file before the run goes on.
 ///
+/// A row is of the first step at or after each whole multiple of the interval: the history asks for no times of its
+/// own, so a run takes the same steps however often it is written down.
+///
 /// In a resumed run (its first view has a step above zero) the rows that the unbroken run would not have at that
 /// moment are cut off first: those after the checkpoint, and the closing row of the interrupted run.
 pub struct HistoryWriter {
@@ -60,7 +63,7 @@ impl HistoryWriter {
         let mut kept_bytes = 0;
         if let Some(time_s) = resumed_at_s.filter(|_| self.path.exists()) {
             let text = fs::read(&self.path).map_err(ObserveError::file("read", &self.path))?;
-            (kept_bytes, self.written_s) = kept_rows(&text, &self.schedule, time_s);
+            (kept_bytes, self.written_s) = kept_rows(&text, &mut self.schedule, time_s);
         }
         let file = OpenOptions::new()
             .create(true)
@@ -90,17 +93,9 @@ impl HistoryWriter {
 }
 
 impl<const D: usize> Observer<D> for HistoryWriter {
-    fn next_time_s(&self) -> Option<f64> {
-        self.schedule.next_time_s()
-    }
-
     fn init(&mut self, view: &View<D>) -> Result<(), ObserveError> {
         self.open((view.step > 0).then_some(view.time_s))?;
-        if self.schedule.contains(view.time_s) {
-            return self.write(&view.history);
-        }
-        self.schedule.advance_past(view.time_s);
-        Ok(())
+        if view.step == 0 { self.write(&view.history) } else { Ok(()) }
     }
 
     fn every(&mut self, view: &View<D>) -> Result<(), ObserveError> {
@@ -119,17 +114,19 @@ pub fn read_history(path: &Path) -> Result<Vec<HistoryRow>, ObserveError> {
     reader.deserialize().collect::<Result<_, _>>().map_err(table_error)
 }
 
-/// How many bytes of a table the unbroken run would have at `time_s`, and the time of the last row among them.
-fn kept_rows(text: &[u8], schedule: &Schedule, time_s: f64) -> (u64, Option<f64>) {
+/// How many bytes of a table the unbroken run would have at `time_s`, and the time of the last row among them; leaves
+/// `schedule` where that row left it.
+fn kept_rows(text: &[u8], schedule: &mut Schedule, time_s: f64) -> (u64, Option<f64>) {
     // A row without its line end was cut off when the program died: its last number may be short.
     let whole = &text[..text.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1)];
     let mut reader = csv::Reader::from_reader(whole);
     let (mut kept_bytes, mut last_s) = (0, None);
     let mut rows = reader.deserialize::<HistoryRow>();
     while let Some(Ok(row)) = rows.next() {
-        if row.time_s > time_s || !schedule.contains(row.time_s) {
+        if row.time_s > time_s || !schedule.is_due(row.time_s) {
             break;
         }
+        schedule.advance_past(row.time_s);
         kept_bytes = rows.reader().position().byte();
         last_s = Some(row.time_s);
     }
@@ -144,14 +141,13 @@ mod tests {
     const STEP_S: f64 = 0.03;
     const END_S: f64 = 1.05;
 
-    /// A run of the kind that lands on the times of its observer; gives back the clock it stopped at.
+    /// A run of steps that know nothing of the history; gives back the clock it stopped at.
     fn run(path: &Path, from: (f64, u64), stop_s: f64) -> (f64, u64) {
         let mut writer = HistoryWriter::new(path, INTERVAL_S);
         let (mut time_s, mut step) = from;
         Observer::<2>::init(&mut writer, &view(time_s, step)).unwrap();
         while time_s < stop_s {
-            let next_s = Observer::<2>::next_time_s(&writer).unwrap().min(END_S);
-            time_s = if time_s + STEP_S >= next_s { next_s } else { time_s + STEP_S };
+            time_s = (time_s + STEP_S).min(END_S);
             step += 1;
             Observer::<2>::every(&mut writer, &view(time_s, step)).unwrap();
         }
@@ -171,14 +167,17 @@ mod tests {
     }
 
     #[test]
-    fn rows_come_at_every_interval_at_the_start_and_at_the_end() {
+    fn rows_come_at_the_first_step_of_every_interval_at_the_start_and_at_the_end() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("history.csv");
         run(&path, (0.0, 0), END_S);
         let rows = read_history(&path).unwrap();
-        let mut times_s: Vec<f64> = (0..=10).map(|index| index as f64 * INTERVAL_S).collect();
-        times_s.push(END_S);
-        assert_eq!(rows.iter().map(|row| row.time_s).collect::<Vec<_>>(), times_s);
+        assert_eq!(rows.len(), 12);
+        assert_eq!((rows[0].time_s, rows[11].time_s), (0.0, END_S));
+        for (index, row) in rows.iter().enumerate().take(11).skip(1) {
+            let due_s = index as f64 * INTERVAL_S;
+            assert!((due_s..due_s + STEP_S + 1e-12).contains(&row.time_s), "{index}: {}", row.time_s);
+        }
         assert_eq!(rows[3], view(rows[3].time_s, rows[3].step).history);
     }
 

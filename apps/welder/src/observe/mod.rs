@@ -20,6 +20,7 @@ pub mod machine;
 pub mod picture_data;
 pub mod pictures;
 pub mod progress;
+pub mod scatter_picture;
 pub mod schedule;
 pub mod section_picture;
 pub mod summary;

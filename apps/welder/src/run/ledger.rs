@@ -101,7 +101,8 @@ mod tests {
 
     #[test]
     fn an_open_ledger_and_lost_light_are_faults() {
-        let closed = Ledger { emitted: 10.0, absorbed: 4.0, reflected: 5.0, missed: 1.0, ..Ledger::default() };
+        let closed =
+            Ledger { emitted: 10.0, absorbed: 4.0, reflected: 5.0, missed: 1.0, ..Ledger::default() };
         assert_eq!(closed.fault(), None);
         assert!(Ledger { residual: 2e-10, ..closed }.fault().unwrap().contains("ledger"));
         assert!(Ledger { residual: f64::NAN, ..closed }.fault().is_some());

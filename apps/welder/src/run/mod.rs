@@ -1,9 +1,15 @@
 //! Running a model: the time loop, the ledger, the records, and what stands around them.
 
+mod command;
 mod ledger;
 mod pilot;
+mod report;
+mod saved;
 mod simulation;
+mod watch;
 
+pub use command::command;
 pub use ledger::Ledger;
 pub use pilot::level_plan;
+pub use report::{numbers, summary};
 pub use simulation::{Records, Simulation, StepReport};

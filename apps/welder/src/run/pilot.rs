@@ -21,7 +21,9 @@ pub fn level_plan(model: &Model, grown: f64) -> Result<LevelPlan<3>, ModelError>
     let counts = model.counts();
     match model.resolution.levels {
         Levels::Uniform => Ok(LevelPlan::uniform(counts)),
-        Levels::FineBox { low_m, high_m } => Ok(LevelPlan::around(counts, explicit_box(model, low_m, high_m))),
+        Levels::FineBox { low_m, high_m } => {
+            Ok(LevelPlan::around(counts, explicit_box(model, low_m, high_m)))
+        }
         Levels::Auto if model.laser.is_none() => Ok(LevelPlan::uniform(counts)),
         Levels::Auto => {
             let [low, high] = pool_bounds(model)?;
@@ -74,7 +76,8 @@ fn pilot_model(model: &Model) -> Option<Model> {
     }
     let mut pilot = model.clone();
     let spacing = model.spacing() * factor as f64;
-    pilot.resolution = Resolution { spacing_m: spacing, disorder: 0.0, levels: Levels::Auto, ..model.resolution };
+    pilot.resolution =
+        Resolution { spacing_m: spacing, disorder: 0.0, levels: Levels::Auto, ..model.resolution };
     pilot.size = model.counts().map(|count| (count / factor) as f64 * spacing);
     Some(pilot)
 }
@@ -82,7 +85,8 @@ fn pilot_model(model: &Model) -> Option<Model> {
 /// A box of the scene in cells; the third axis counts down from the top face.
 fn explicit_box(model: &Model, low: [f64; 3], high: [f64; 3]) -> CellBox<3> {
     let (part, counts) = (model.bounds().0, model.counts());
-    let cell = |x: f64, axis: usize| (((x - part[axis]) / model.spacing()).round() as i64).clamp(0, counts[axis]);
+    let cell =
+        |x: f64, axis: usize| (((x - part[axis]) / model.spacing()).round() as i64).clamp(0, counts[axis]);
     let down = |z: f64| ((-z / model.spacing()).round() as i64).clamp(0, counts[2]);
     CellBox {
         low: [cell(low[0], 0), cell(low[1], 1), down(high[2])],

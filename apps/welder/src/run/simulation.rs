@@ -7,10 +7,11 @@ use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use crate::physics::{Cost, Exchange, Failure, Physics, heat::Heat};
 use serde::{Deserialize, Serialize};
-use sph_integrate::{LimitCounter, StepLimit, smallest};
+use sph_integrate::{StepLimit, smallest};
+use std::collections::BTreeMap;
 
 /// Largest and last of what was measured over a run.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Records {
     /// Largest extents above the liquidus.
     pub liquidus: Extent,
@@ -35,27 +36,14 @@ pub struct StepReport {
 
 /// A model on particles, at some time.
 pub struct Simulation {
-    model: Model,
-    workpiece: Workpiece,
-    physics: Vec<Box<dyn Physics<3>>>,
-    gauge: Gauge,
-    time: f64,
-    steps: u64,
-    limits: LimitCounter,
-    records: Records,
-}
-
-/// What a checkpoint holds besides the enthalpy columns.
-#[derive(Serialize, Deserialize)]
-pub struct SavedState {
-    physics: Vec<Vec<u8>>,
-    gauge: (Vec<f64>, Vec<f64>),
-    limits: Vec<(String, u64)>,
-    extents: [[f64; 3]; 2],
-    bounds: [Option<[[f64; 3]; 2]>; 2],
-    peak_temperature: f64,
-    solidified_at: Option<f64>,
-    last_step: f64,
+    pub(super) model: Model,
+    pub(super) workpiece: Workpiece,
+    pub(super) physics: Vec<Box<dyn Physics<3>>>,
+    pub(super) gauge: Gauge,
+    pub(super) time: f64,
+    pub(super) steps: u64,
+    pub(super) limits: BTreeMap<String, u64>,
+    pub(super) records: Records,
 }
 
 impl Simulation {
@@ -78,8 +66,7 @@ impl Simulation {
         let mut gauge = Gauge::new(&model, &workpiece)?;
         let now = gauge.measure(&model, &workpiece.particles, 0.0, 0.0);
         let records = Records { peak_temperature: now.peak_temperature, now, ..Records::default() };
-        let limits = LimitCounter::new();
-        Ok(Self { model, workpiece, physics, gauge, time: 0.0, steps: 0, limits, records })
+        Ok(Self { model, workpiece, physics, gauge, time: 0.0, steps: 0, limits: BTreeMap::new(), records })
     }
 
     /// Advances by one step that does not pass `stop` \[s\].
@@ -87,7 +74,8 @@ impl Simulation {
     /// # Errors
     /// [`Failure`] of the physics that cannot go on.
     pub fn step(&mut self, stop: f64) -> Result<StepReport, Failure> {
-        let event = self.physics.iter().filter_map(|physics| physics.next_event(self.time)).fold(stop, f64::min);
+        let event =
+            self.physics.iter().filter_map(|physics| physics.next_event(self.time)).fold(stop, f64::min);
         let limit = smallest(self.physics.iter().map(|physics| physics.step_limit(self.time)));
         let (wanted, limit) = self.fit(limit, event);
         let mut taken = wanted;
@@ -97,7 +85,7 @@ impl Simulation {
         let start = self.time;
         self.time = if taken == wanted && wanted == event - start { event } else { start + taken };
         self.steps += 1;
-        self.limits.record(&limit);
+        *self.limits.entry(limit.name.to_string()).or_default() += 1;
         self.record(start, taken);
         Ok(StepReport { step: taken, limit: limit.name })
     }
@@ -183,7 +171,7 @@ impl Simulation {
     }
 
     /// How often each limit ruled.
-    pub fn limits(&self) -> &LimitCounter {
+    pub fn limits(&self) -> &BTreeMap<String, u64> {
         &self.limits
     }
 
@@ -196,6 +184,11 @@ impl Simulation {
             total.rejected_steps += cost.rejected_steps;
         }
         total
+    }
+
+    /// The physics of this scene.
+    pub fn physics(&self) -> &[Box<dyn Physics<3>>] {
+        &self.physics
     }
 
     /// The energy ledger now.

@@ -11,17 +11,16 @@
 //! semi-definite system, solved without a matrix by conjugate gradients with a block-Jacobi preconditioner. On a perfect
 //! lattice one constant solves it; jumps, faces and disorder are what the iterations are for.
 
+mod conjugate_gradients;
+mod moment_rows;
+
 use super::PairTable;
+use super::matrix::LANES;
 use super::pairs::NO_IMAGE;
 use crate::error::Error;
-use nalgebra::{Matrix4, Vector4};
-use rayon::prelude::*;
-
-/// Iterations beyond which the fit is given up; 20 to 80 are usual.
-const LARGEST_ITERATION_COUNT: usize = 400;
-
-/// Particles below which the solve stays on one thread.
-const PARALLEL_PARTICLES: usize = 20_000;
+use conjugate_gradients::conjugate_gradients;
+use moment_rows::{Four, MomentRows};
+use nalgebra::Vector4;
 
 /// How the fit went.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,12 +61,21 @@ struct Entry {
     other: Vector4<f64>,
     weight: f64,
     index: u32,
+    /// Whether the other end is an image.
+    image: bool,
+}
+
+impl Entry {
+    /// Whether it is particle `i`'s own mirror image, across planes that meet at right angles.
+    fn is_own_image(&self, i: usize) -> bool {
+        self.image && self.index as usize == i && self.own == self.other
+    }
 }
 
 struct System<'a, 'b, const D: usize> {
     pairs: &'a PairTable<'b, D>,
     entries: Vec<Entry>,
-    preconditioner: Vec<Matrix4<f64>>,
+    rows: MomentRows,
     moments: Vec<f64>,
     unit: f64,
 }
@@ -77,98 +85,52 @@ impl<'a, 'b, const D: usize> System<'a, 'b, D> {
         let smallest = pairs.volume.iter().copied().fold(f64::INFINITY, f64::min);
         let unit = smallest.powf(1.0 / D as f64);
         let entries: Vec<Entry> = (0..pairs.entries()).map(|e| entry(pairs, e, unit)).collect();
-        let block = |i: usize| {
-            let mut sum = Matrix4::zeros();
-            for entry in &entries[pairs.starts[i]..pairs.starts[i + 1]] {
-                sum += entry.weight * entry.own * entry.own.transpose();
-            }
-            (D..3).for_each(|unused| sum[(unused, unused)] = 1.0);
-            sum.try_inverse().unwrap_or_else(Matrix4::identity)
-        };
-        let preconditioner = (0..pairs.particles()).map(block).collect();
-        Self { pairs, entries, preconditioner, moments: pairs.moments(), unit }
+        let row = |i: usize| &entries[pairs.starts[i]..pairs.starts[i + 1]];
+        let rows = MomentRows::new(pairs.particles(), D, row);
+        Self { pairs, entries, rows, moments: pairs.moments(), unit }
     }
 
     fn row(&self, i: usize) -> &[Entry] {
         &self.entries[self.pairs.starts[i]..self.pairs.starts[i + 1]]
     }
 
-    /// A column computed per particle, in parallel where that pays.
-    fn column<T: Send>(&self, of: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-        let particles = self.pairs.particles();
-        if particles < PARALLEL_PARTICLES {
-            (0..particles).map(of).collect()
-        } else {
-            (0..particles).into_par_iter().map(of).collect()
-        }
-    }
-
     /// What the moments of the plain weights lack.
-    fn right_hand_side(&self) -> Vec<Vector4<f64>> {
+    fn right_hand_side(&self, i: usize) -> Vector4<f64> {
         let cell = self.unit.powi(D as i32);
-        self.column(|i| {
-            let target = Vector4::new(0.0, 0.0, 0.0, 2.0 * D as f64 * self.pairs.volume[i] / cell);
-            self.row(i).iter().fold(target, |sum, entry| sum - entry.weight * entry.own)
-        })
-    }
-
-    fn apply(&self, phi: &[Vector4<f64>]) -> Vec<Vector4<f64>> {
-        self.column(|i| {
-            let own = phi[i];
-            let mut sum = Vector4::zeros();
-            for entry in self.row(i) {
-                let change = own.dot(&entry.own) + phi[entry.index as usize].dot(&entry.other);
-                sum += entry.weight * change * entry.own;
-            }
-            sum
-        })
-    }
-
-    fn precondition(&self, residual: &[Vector4<f64>]) -> Vec<Vector4<f64>> {
-        self.column(|i| self.preconditioner[i] * residual[i])
+        let target = Vector4::new(0.0, 0.0, 0.0, 2.0 * D as f64 * self.pairs.volume[i] / cell);
+        self.row(i).iter().fold(target, |sum, entry| sum - entry.weight * entry.own)
     }
 
     /// Multipliers, iterations, and the residual over that of the plain weights.
     fn solve(&self, tolerance: f64) -> (Vec<Vector4<f64>>, usize, f64) {
-        let right_hand_side = self.right_hand_side();
-        let scale = dot(&right_hand_side, &self.precondition(&right_hand_side)).sqrt();
-        let mut phi = self.lattice_guess();
-        let applied = self.apply(&phi);
-        let mut residual: Vec<_> = right_hand_side.iter().zip(&applied).map(|(b, a)| b - a).collect();
-        let mut conditioned = self.precondition(&residual);
-        let mut direction = conditioned.clone();
-        let mut square = dot(&residual, &conditioned);
-        let relative = |square: f64| if scale > 0.0 { square.max(0.0).sqrt() / scale } else { 0.0 };
-        let mut iterations = 0;
+        let right_hand_side = self.fours(|i| self.right_hand_side(i));
+        let guess = self.fours(|i| self.lattice_guess(i));
         // Where the plain weights are exact already there is nothing to compare with but round-off.
         let floor = 1e-24 * self.pairs.particles() as f64;
-        while relative(square) > tolerance && square > floor && iterations < LARGEST_ITERATION_COUNT {
-            let image = self.apply(&direction);
-            let step = square / dot(&direction, &image);
-            axpy(&mut phi, step, &direction);
-            axpy(&mut residual, -step, &image);
-            conditioned = self.precondition(&residual);
-            let next = dot(&residual, &conditioned);
-            let ratio = next / square;
-            direction.iter_mut().zip(&conditioned).for_each(|(d, c)| *d = c + ratio * *d);
-            square = next;
-            iterations += 1;
+        let solution = conjugate_gradients(&self.rows, &right_hand_side, guess, tolerance, floor);
+        let multiplier = |i: usize| Vector4::from_fn(|part, _| solution.unknowns[i / LANES][part][i % LANES]);
+        let multipliers = (0..self.pairs.particles()).map(multiplier).collect();
+        (multipliers, solution.iterations, solution.residual)
+    }
+
+    /// Four numbers a particle, in chunks.
+    fn fours(&self, of: impl Fn(usize) -> Vector4<f64>) -> Vec<Four> {
+        let mut fours = vec![[[0.0; LANES]; 4]; self.rows.chunks()];
+        for i in 0..self.pairs.particles() {
+            let value = of(i);
+            (0..4).for_each(|part| fours[i / LANES][part][i % LANES] = value[part]);
         }
-        let reached = if square <= floor { 0.0 } else { relative(square) };
-        (phi, iterations, reached)
+        fours
     }
 
     /// The multipliers that are exact on a perfect lattice: g = w/M.
-    fn lattice_guess(&self) -> Vec<Vector4<f64>> {
-        let guess = |i: usize| {
-            let row = self.row(i);
-            let weight: f64 = row.iter().map(|e| e.weight).sum();
-            let second: f64 = row.iter().map(|e| e.weight * e.own.w).sum();
-            let fourth: f64 = row.iter().map(|e| e.weight * e.own.w * e.own.w).sum();
-            let share = 0.5 * (1.0 / self.moments[i] - 1.0) * second / fourth;
-            Vector4::new(0.0, 0.0, 0.0, if weight > 0.0 { share } else { 0.0 })
-        };
-        self.column(guess)
+    fn lattice_guess(&self, i: usize) -> Vector4<f64> {
+        let row = self.row(i);
+        let weight: f64 = row.iter().map(|e| e.weight).sum();
+        let second: f64 = row.iter().map(|e| e.weight * e.own.w).sum();
+        let fourth: f64 = row.iter().map(|e| e.weight * e.own.w * e.own.w).sum();
+        let share = 0.5 * (1.0 / self.moments[i] - 1.0) * second / fourth;
+        Vector4::new(0.0, 0.0, 0.0, if weight > 0.0 { share } else { 0.0 })
     }
 
     fn weights(&self, phi: &[Vector4<f64>]) -> Vec<f64> {
@@ -195,13 +157,6 @@ fn entry<const D: usize>(pairs: &PairTable<'_, D>, e: usize, unit: f64) -> Entry
         own[axis] = separation[axis];
         other[axis] = -mirror[axis] * separation[axis];
     }
-    Entry { own, other, weight: pairs.weight[e] / unit.powi(D as i32 - 2), index: pairs.other[e] }
-}
-
-fn dot(a: &[Vector4<f64>], b: &[Vector4<f64>]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a.dot(b)).sum()
-}
-
-fn axpy(y: &mut [Vector4<f64>], factor: f64, x: &[Vector4<f64>]) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
+    let weight = pairs.weight[e] / unit.powi(D as i32 - 2);
+    Entry { own, other, weight, index: pairs.other[e], image: image != NO_IMAGE }
 }

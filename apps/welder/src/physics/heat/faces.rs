@@ -33,7 +33,11 @@ pub(super) struct FaceExchange {
 }
 
 impl FaceExchange {
-    pub(super) fn new(model: &Model, workpiece: &Workpiece, rows: &ConductionRows) -> Result<Self, ModelError> {
+    pub(super) fn new(
+        model: &Model,
+        workpiece: &Workpiece,
+        rows: &ConductionRows,
+    ) -> Result<Self, ModelError> {
         let mut exchange = Self {
             walls: walls(&model.faces, rows),
             losses: Vec::new(),
@@ -68,7 +72,12 @@ impl FaceExchange {
             Face::Losses { convection_w_m2_k, emissivity, ambient_k } => {
                 let law = SurfaceLoss::new(convection_w_m2_k, emissivity, ambient_k)?;
                 let areas = face_areas(workpiece, rows, axis, side);
-                self.losses.extend(areas.into_iter().map(|(particle, area, depth)| Loss { particle, area, depth, law }));
+                self.losses.extend(areas.into_iter().map(|(particle, area, depth)| Loss {
+                    particle,
+                    area,
+                    depth,
+                    law,
+                }));
             }
         }
         Ok(())
@@ -82,13 +91,19 @@ impl FaceExchange {
     /// Adds the heat \[W\] that each particle receives to `power`, and returns the heat \[W\] that leaves the part.
     ///
     /// `laser` is the power \[W\] that the laser gives each particle: it lifts the surface above the particle's centre.
-    pub(super) fn add(&self, enthalpy: &[f64], curves: &[EnthalpyCurve], laser: &[f64], power: &mut [f64]) -> f64 {
+    pub(super) fn add(
+        &self,
+        enthalpy: &[f64],
+        curves: &[EnthalpyCurve],
+        laser: &[f64],
+        power: &mut [f64],
+    ) -> f64 {
         let mut leaving = 0.0;
         let curve = |i: usize| &curves[self.material[i] as usize];
         for wall in &self.walls {
             let curve = curve(wall.particle);
-            let received =
-                wall.coefficient * (curve.potential_at(wall.temperature) - curve.potential(enthalpy[wall.particle]));
+            let received = wall.coefficient
+                * (curve.potential_at(wall.temperature) - curve.potential(enthalpy[wall.particle]));
             power[wall.particle] += received;
             leaving -= received;
         }
@@ -151,9 +166,11 @@ pub(super) fn face_areas(
     let candidates: Vec<u32> = (0..position.len() as u32).filter(near).collect();
     let areas = rows.face_areas(&candidates, depth);
     let whole: f64 = (0..3).filter(|&a| a != axis).map(|a| workpiece.high[a] - workpiece.low[a]).product();
-    let kept: Vec<_> = candidates.into_iter().zip(areas).filter(|(i, area)| {
-        *area > 1e-3 * workpiece.particles.spacing[*i as usize].powi(2)
-    }).collect();
+    let kept: Vec<_> = candidates
+        .into_iter()
+        .zip(areas)
+        .filter(|(i, area)| *area > 1e-3 * workpiece.particles.spacing[*i as usize].powi(2))
+        .collect();
     let scale = whole / kept.iter().map(|(_, area)| area).sum::<f64>();
     kept.into_iter().map(|(i, area)| (i as usize, scale * area, depth(i as usize))).collect()
 }

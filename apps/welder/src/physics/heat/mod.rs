@@ -72,7 +72,8 @@ impl Heat {
             Some(laser) => Some(Deposit::new(laser, workpiece, &rows, mirrored(model))?),
             None => None,
         };
-        let largest_slope = model.curves.iter().map(|curve| curve.largest_potential_slope()).fold(0.0, f64::max);
+        let largest_slope =
+            model.curves.iter().map(|curve| curve.largest_potential_slope()).fold(0.0, f64::max);
         let euler = 2.0 / (largest_slope * spectral_bound(&rows, &particles.mass));
         let harmonic = settings.conductivity_mean == ConductivityMean::Harmonic;
         let (rows, joints) =
@@ -108,6 +109,11 @@ impl Heat {
     /// Longest stable explicit Euler step \[s\].
     pub fn euler_step(&self) -> f64 {
         self.step_size.euler()
+    }
+
+    /// Longest step that the laser's rule allows \[s\], where there is a laser.
+    pub fn laser_step(&self) -> Option<f64> {
+        self.step_size.laser_step()
     }
 
     /// Directed pairs that one evaluation of the right-hand side visits.
@@ -216,7 +222,9 @@ impl Heat {
             let leaving = self.add_exchange();
             self.operator.stage(weights, &mut self.columns);
             self.count_sweep();
-            let next = weights.last * left + weights.before * left_before + weights.now * leaving
+            let next = weights.last * left
+                + weights.before * left_before
+                + weights.now * leaving
                 + weights.start * self.leaving;
             left_before = std::mem::replace(&mut left, next);
         }
@@ -262,7 +270,8 @@ impl Heat {
     fn failure(&self, particles: &Particles<3>, time: f64, what: &str) -> Failure {
         let wrong = |i: &usize| !(self.columns.start[*i] + self.columns.increment[*i]).is_finite();
         let at = (0..particles.len()).find(wrong).map(|i| particles.position[i].into());
-        let advice = "try Normalized weights, a smoothing_ratio of 1.0, less disorder, or a smaller tolerance";
+        let advice =
+            "try Normalized weights, a smoothing_ratio of 1.0, less disorder, or a smaller tolerance";
         Failure { physics: "heat", what: what.into(), time, at, advice: advice.into() }
     }
 }
@@ -330,7 +339,8 @@ impl Physics<3> for Heat {
     }
 
     fn restore(&mut self, particles: &Particles<3>, state: &[u8]) -> Result<(), String> {
-        let state: State = postcard::from_bytes(state).map_err(|error| format!("the state of heat: {error}"))?;
+        let state: State =
+            postcard::from_bytes(state).map_err(|error| format!("the state of heat: {error}"))?;
         if state.conducted.len() != self.columns.conducted.len() || state.laser.len() != self.laser.len() {
             return Err("the state of heat is of another number of particles".into());
         }
@@ -356,9 +366,10 @@ fn operator(model: &Model, workpiece: &Workpiece, rows: &ConductionRows, harmoni
 }
 
 /// Which of the low and high faces of x and y are symmetry planes.
-fn mirrored(model: &Model) -> [[bool; 2]; 2] {
+pub fn mirrored(model: &Model) -> [[bool; 2]; 2] {
     let faces = &model.faces;
-    [[faces.x_min, faces.x_max], [faces.y_min, faces.y_max]].map(|axis| axis.map(|face| face == Face::Symmetry))
+    [[faces.x_min, faces.x_max], [faces.y_min, faces.y_max]]
+        .map(|axis| axis.map(|face| face == Face::Symmetry))
 }
 
 /// The kernel of a scene.

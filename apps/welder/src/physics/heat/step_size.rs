@@ -59,7 +59,11 @@ struct SourceRule {
 }
 
 impl StepSize {
-    pub(super) fn new(stepping: Stepping, laser: Option<&LaserSource>, euler: f64) -> Result<Self, ModelError> {
+    pub(super) fn new(
+        stepping: Stepping,
+        laser: Option<&LaserSource>,
+        euler: f64,
+    ) -> Result<Self, ModelError> {
         let (controller, largest_stages, stable) = match stepping {
             Stepping::SuperSteps { tolerance, max_stages } => {
                 // RKL2 takes odd numbers of stages, three at least.
@@ -99,7 +103,7 @@ impl StepSize {
     /// The longest step from `time` \[s\] and what limits it.
     pub(super) fn limit(&self, time: f64) -> StepLimit {
         // A laser that has just changed starts anew: the field next to it has no smooth past.
-        let changed = self.events.iter().any(|&event| event == time);
+        let changed = self.events.contains(&time);
         let by_error = if changed { self.next.min(self.smallest()) } else { self.next };
         let rule = self.source.iter().find(|rule| time >= rule.from && time < rule.to);
         let stability = if self.controller.is_some() { "heat stages" } else { "heat Euler step" };
@@ -109,6 +113,11 @@ impl StepSize {
             limits.extend(rule.map(|rule| StepLimit { name: "laser", dt_s: rule.longest }));
         }
         smallest(limits)
+    }
+
+    /// Shortest of the laser's own limits \[s\].
+    pub(super) fn laser_step(&self) -> Option<f64> {
+        self.source.iter().map(|rule| rule.longest).reduce(f64::min)
     }
 
     /// The next time after `time` at which the laser changes \[s\].
@@ -151,7 +160,8 @@ impl StepSize {
 
 fn source_rules(laser: &LaserSource) -> Vec<SourceRule> {
     let speed = laser.track().max_speed();
-    let by_speed = if speed > 0.0 { BEAM_RADII_PER_STEP * laser.beam().radius_m() / speed } else { f64::INFINITY };
+    let by_speed =
+        if speed > 0.0 { BEAM_RADII_PER_STEP * laser.beam().radius_m() / speed } else { f64::INFINITY };
     let rule = |[from, to]: [f64; 2]| {
         let by_pulse = if speed > 0.0 { f64::INFINITY } else { (to - from) / STEPS_PER_PULSE };
         SourceRule { from, to, longest: by_speed.min(by_pulse) }

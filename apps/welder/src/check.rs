@@ -1,0 +1,112 @@
+//! `welder check`: what a case is before it is run.
+
+use crate::case;
+use crate::cli::{CheckArguments, ExitStatus, refuse, say};
+use crate::model::{Model, ModelError};
+use crate::observe::Machine;
+use crate::physics::Physics;
+use crate::physics::heat::Heat;
+use crate::run::{level_plan, numbers};
+use sph_integrate::stages_for;
+
+/// Memory that a particle takes over a run \[bytes\], measured on the aluminium spot at 25 um.
+const BYTES_PER_PARTICLE: u64 = 900;
+
+/// Directed pairs that one core visits in a second, a careful figure for a forecast.
+const PAIRS_PER_SECOND: f64 = 5e8;
+
+/// Steps by the error estimate for each step by the laser's rule, a figure for a forecast.
+const STEPS_PER_RULE_STEP: f64 = 3.0;
+
+/// Checks the case of `arguments` and tells what it will be.
+pub fn command(arguments: &CheckArguments) -> ExitStatus {
+    let case = match case::load(&arguments.case, &arguments.overrides) {
+        Ok(case) => case,
+        Err(error) => return refuse(&error),
+    };
+    let told = Model::from_case(&case).and_then(|model| describe(&model, case.scene.budget.max_particles));
+    match told {
+        Ok(lines) => {
+            say(&format!("{}: the case is well formed\n{}", case.name, lines.join("\n")));
+            ExitStatus::Done
+        }
+        Err(error) => {
+            tracing::error!("the case cannot be built: {error}");
+            ExitStatus::WrongInput
+        }
+    }
+}
+
+fn describe(model: &Model, largest: u64) -> Result<Vec<String>, ModelError> {
+    let plan = level_plan(model, 0.0)?;
+    let particles = plan.count();
+    let megabytes = particles as f64 * BYTES_PER_PARTICLE as f64 / 1e6;
+    let mut lines = vec![format!(
+        "  particles      {particles} in {} levels, spacing {:.1} um to {:.1} um; about {megabytes:.0} MB",
+        plan.levels(),
+        1e6 * model.spacing(),
+        1e6 * model.spacing() * f64::from(1u32 << (plan.levels() - 1)),
+    )];
+    if particles > largest {
+        lines.push(format!(
+            "  budget         too many: budget.max_particles is {largest}; the run will be refused"
+        ));
+        return Ok(lines);
+    }
+    let workpiece = crate::build::Workpiece::new(model, &plan);
+    let heat = Heat::new(model, &workpiece)?;
+    lines.push(step_lines(model, &heat));
+    lines.extend(power_lines(model));
+    lines.extend(warnings(model));
+    let named: Vec<String> =
+        numbers(model).iter().map(|(name, value)| format!("{name} {value:.3}")).collect();
+    lines.push(format!("  numbers        {}", named.join(", ")));
+    Ok(lines)
+}
+
+fn step_lines(model: &Model, heat: &Heat) -> String {
+    let euler = heat.euler_step();
+    let rule = heat.laser_step().unwrap_or(model.end / 50.0).min(model.end);
+    let stages = stages_for(rule / STEPS_PER_RULE_STEP, euler) as f64;
+    let steps = STEPS_PER_RULE_STEP * model.end / rule;
+    let seconds = steps * stages * heat.pairs() as f64 / PAIRS_PER_SECOND;
+    format!(
+        "  steps          explicit Euler {euler:.2e} s ({}); laser rule {rule:.2e} s; {} directed pairs a sweep\n\
+         \x20 forecast       about {steps:.0} super steps of {stages:.0} stages, {seconds:.2} s on one core of {}",
+        heat.step_limit(0.0).name,
+        heat.pairs(),
+        Machine::here(),
+    )
+}
+
+/// Commanded, emitted, absorbed, reflected and missed energy of the whole beam.
+fn power_lines(model: &Model) -> Option<String> {
+    let laser = model.laser.as_ref()?;
+    let (low, high) = model.bounds();
+    let mirrored = crate::physics::heat::mirrored(model);
+    let grow = |axis: usize, side: usize| if mirrored[axis][side] { high[axis] - low[axis] } else { 0.0 };
+    let face = laser_source::Rectangle {
+        x_min_m: low[0] - grow(0, 0),
+        x_max_m: high[0] + grow(0, 1),
+        y_min_m: low[1] - grow(1, 0),
+        y_max_m: high[1] + grow(1, 1),
+    };
+    let audit = laser.audit(0.0, model.end, &face);
+    Some(format!(
+        "  laser          {:.4} J commanded, {:.4} J emitted: {:.4} J absorbed, {:.4} J reflected, {:.4} J missed",
+        audit.commanded_j, audit.emitted_j, audit.absorbed_j, audit.reflected_j, audit.missed_j
+    ))
+}
+
+fn warnings(model: &Model) -> Vec<String> {
+    let jump = |curve: &sph_thermal::phase::EnthalpyCurve| curve.temperature_jump();
+    let tell = |jump: sph_thermal::phase::TemperatureJump| {
+        format!(
+            "  warning        the enthalpy curve of Hu and Eberhard (2015) jumps by {:.1} K at the solidus; \
+             melting takes {:+.0} % more than the latent heat",
+            jump.at_solidus_k,
+            100.0 * jump.excess_latent_heat
+        )
+    };
+    model.curves.iter().filter_map(jump).map(tell).collect()
+}

@@ -1,0 +1,81 @@
+//! What a run says at its end: summary.json, and the dimensionless numbers of the physics present.
+
+use super::Simulation;
+use crate::measure::Extent;
+use crate::model::Model;
+use crate::observe::{Energy, Pool, PoolSize, Status, Summary, Weld, peak_memory_bytes, process_cpu_s};
+use std::collections::BTreeMap;
+
+/// The summary of a run that took `wall_s`, of which `setup_s` before its first step.
+pub fn summary(simulation: &Simulation, status: Status, wall_s: f64, setup_s: f64) -> Summary {
+    let (records, ledger, cost) = (simulation.records(), simulation.ledger(), simulation.cost());
+    let (pool, solidus) = (sizes(&records.liquidus), sizes(&records.solidus));
+    let weld = simulation.gauge().weld();
+    let loop_s = (wall_s - setup_s).max(f64::MIN_POSITIVE);
+    Summary {
+        status,
+        version: env!("CARGO_PKG_VERSION").into(),
+        case: simulation.model().name.clone(),
+        dimension: 3,
+        particles: simulation.particles().len(),
+        spacing_m: simulation.model().spacing(),
+        steps: simulation.steps(),
+        step_limits: simulation.limits().clone(),
+        wall_s,
+        cpu_s: process_cpu_s(),
+        setup_s,
+        particle_steps_per_s: simulation.particles().len() as f64 * simulation.steps() as f64 / loop_s,
+        pair_visits: cost.pair_visits,
+        threads: rayon::current_num_threads(),
+        peak_memory_bytes: peak_memory_bytes(),
+        peak_temperature_k: records.peak_temperature,
+        pool: Pool {
+            max_width_m: pool.max_width_m,
+            max_length_m: pool.max_length_m,
+            max_depth_m: pool.max_depth_m,
+            at_solidus: solidus,
+        },
+        weld: Weld {
+            width_m: weld.width,
+            length_m: weld.length,
+            depth_m: weld.depth,
+            volume_m3: simulation.gauge().weld_volume(simulation.model(), simulation.particles()),
+            solidified_at_s: records.solidified_at,
+        },
+        energy: Energy {
+            emitted_j: ledger.emitted,
+            absorbed_j: ledger.absorbed,
+            sensible_j: ledger.sensible,
+            latent_j: ledger.latent,
+            lost_j: ledger.lost,
+            kinetic_j: 0.0,
+            strain_j: 0.0,
+            residual_rel: ledger.residual,
+        },
+        numbers: numbers(simulation.model()),
+    }
+}
+
+fn sizes(extent: &Extent) -> PoolSize {
+    PoolSize { max_width_m: extent.width, max_length_m: extent.length, max_depth_m: extent.depth }
+}
+
+/// Dimensionless numbers of heat: fourier and peclet of the beam, stefan of the melting range, and what resolves them.
+pub fn numbers(model: &Model) -> BTreeMap<String, f64> {
+    let mut numbers = BTreeMap::new();
+    let (material, curve) = (&model.materials[0], &model.curves[0]);
+    let start = (model.start)(model.bounds().0).1;
+    let capacity = (curve.enthalpy_solidus() - curve.enthalpy_at(start)) / (material.solidus - start);
+    let diffusivity = material.conductivity(start) / (material.density * capacity);
+    if capacity.is_finite() && material.latent_heat > 0.0 {
+        numbers.insert("stefan".into(), capacity * (material.liquidus - start) / material.latent_heat);
+    }
+    if let Some(laser) = &model.laser {
+        let (radius, track) = (laser.beam().radius_m(), laser.track());
+        let lit: f64 = track.on_intervals().iter().map(|[from, to]| to - from).sum();
+        numbers.insert("fourier".into(), diffusivity * lit / radius.powi(2));
+        numbers.insert("peclet".into(), track.max_speed() * radius / diffusivity);
+        numbers.insert("beam_radius_over_spacing".into(), radius / model.spacing());
+    }
+    numbers
+}

@@ -1,0 +1,130 @@
+//! From a simulation to what its observers see.
+
+use super::{Simulation, StepReport};
+use crate::observe::{Field, HistoryRow, Pictures, SectionGrid, Values, View};
+use crate::particles::{LIQUID, MUSHY, SOLID};
+
+/// Columns that exist only to be shown.
+#[derive(Default)]
+pub(super) struct Shown {
+    temperature: Vec<f64>,
+    peak_temperature: Vec<f64>,
+    liquid_fraction: Vec<f64>,
+    phase: Vec<u8>,
+    was_molten: Vec<u8>,
+}
+
+impl Shown {
+    /// Fills the columns from the state.
+    pub(super) fn fill(&mut self, simulation: &Simulation) {
+        let (model, particles) = (simulation.model(), simulation.particles());
+        let curve = |i: usize| &model.curves[particles.material[i] as usize];
+        let all = 0..particles.len();
+        self.temperature = all.clone().map(|i| curve(i).temperature(particles.enthalpy[i])).collect();
+        self.peak_temperature =
+            all.clone().map(|i| curve(i).temperature(particles.peak_enthalpy[i])).collect();
+        self.liquid_fraction = all.clone().map(|i| curve(i).liquid_fraction(particles.enthalpy[i])).collect();
+        let phase = |fraction: &f64| match *fraction {
+            f if f <= 0.0 => SOLID,
+            f if f < 1.0 => MUSHY,
+            _ => LIQUID,
+        };
+        self.phase = self.liquid_fraction.iter().map(phase).collect();
+        let molten = |i: usize| u8::from(curve(i).liquid_fraction(particles.peak_enthalpy[i]) >= 1.0);
+        self.was_molten = all.map(molten).collect();
+    }
+
+    fn fields<'a>(&'a self, simulation: &'a Simulation) -> Vec<Field<'a, 3>> {
+        let particles = simulation.particles();
+        let scalar = |name, values| Field { name, values: Values::Scalar(values) };
+        let byte = |name, values| Field { name, values: Values::Byte(values) };
+        vec![
+            scalar("temperature_k", &self.temperature),
+            scalar("peak_temperature_k", &self.peak_temperature),
+            scalar("liquid_fraction", &self.liquid_fraction),
+            scalar("enthalpy_j_kg", &particles.enthalpy),
+            scalar("spacing_m", &particles.spacing),
+            byte("phase", &self.phase),
+            byte("was_molten", &self.was_molten),
+            byte("material", &particles.material),
+        ]
+    }
+}
+
+/// The view of this moment; fields are those of `shown` where given.
+pub(super) fn view<'a>(
+    simulation: &'a Simulation,
+    last: &StepReport,
+    shown: Option<&'a Shown>,
+    pictures: Option<Pictures>,
+) -> View<'a, 3> {
+    let particles = simulation.particles();
+    View {
+        time_s: simulation.time(),
+        end_s: simulation.model().end,
+        step: simulation.steps(),
+        dt_s: last.step,
+        dt_limit: last.limit,
+        positions_m: &particles.position,
+        spacing_m: &particles.spacing,
+        fields: shown.map_or_else(Vec::new, |shown| shown.fields(simulation)),
+        history: history(simulation, last),
+        pictures,
+    }
+}
+
+fn history(simulation: &Simulation, last: &StepReport) -> HistoryRow {
+    let (now, ledger) = (&simulation.records().now, simulation.ledger());
+    HistoryRow {
+        time_s: simulation.time(),
+        step: simulation.steps(),
+        dt_s: last.step,
+        dt_limit: last.limit.to_string(),
+        peak_temperature_k: now.peak_temperature,
+        pool_width_m: now.liquidus.width,
+        pool_length_m: now.liquidus.length,
+        pool_depth_m: now.liquidus.depth,
+        melt_volume_m3: now.melt_volume,
+        max_speed_m_s: 0.0,
+        energy_in_j: ledger.absorbed,
+        energy_stored_j: ledger.sensible + ledger.latent,
+        energy_lost_j: ledger.lost,
+        energy_residual_rel: ledger.residual,
+    }
+}
+
+/// Sections through the beam (or the hottest middle) and the top face, of the finest grid.
+pub(super) fn pictures(simulation: &Simulation) -> Pictures {
+    let (model, gauge) = (simulation.model(), simulation.gauge());
+    let material = &model.materials[0];
+    let isotherms_k = vec![(material.liquidus, "liquidus"), (material.solidus, "solidus")];
+    let (low, high) = model.bounds();
+    let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+    let time = simulation.time();
+    let [x, y] = model.laser.as_ref().map_or(middle, |laser| {
+        let lit = laser.track().end_time();
+        laser.track().position(time.min(lit))
+    });
+    let when = format!("t = {:.3} ms", 1e3 * time);
+    let grid = |title: String, x_label, y_label, map: crate::measure::Map| SectionGrid {
+        title,
+        x_label,
+        y_label,
+        x_m: map.x,
+        y_m: map.y,
+        temperature_k: map.temperature,
+        isotherms_k: isotherms_k.clone(),
+    };
+    let sections = vec![
+        (
+            "section_x".into(),
+            grid(format!("Section along x through the beam, {when}"), "x", "z", gauge.section(1, y)),
+        ),
+        (
+            "section_y".into(),
+            grid(format!("Section along y through the beam, {when}"), "y", "z", gauge.section(0, x)),
+        ),
+        ("top".into(), grid(format!("From above, {when}"), "x", "y", gauge.top())),
+    ];
+    Pictures { sections }
+}

@@ -1,0 +1,55 @@
+//! All benchmarks, in the order in which they run.
+
+use super::heat::{
+    constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan, stefan,
+    top_hat,
+};
+use super::{Benchmark, round_off, weld};
+
+static BENCHMARKS: [Benchmark; 14] = [
+    cosine_decay::LATTICE,
+    cosine_decay::DISORDERED,
+    half_spaces::BENCHMARK,
+    constant_flux::BENCHMARK,
+    gaussian_spot::BENCHMARK,
+    gaussian_field::BENCHMARK,
+    top_hat::BENCHMARK,
+    stefan::BENCHMARK,
+    mushy_stefan::BENCHMARK,
+    moving_gaussian::BENCHMARK,
+    weld::LATTICE,
+    weld::DISORDERED,
+    round_off::LEDGER,
+    round_off::THREADS,
+];
+
+/// All benchmarks.
+pub fn benchmarks() -> &'static [Benchmark] {
+    &BENCHMARKS
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_every_quick_run_meets_a_mark() {
+        let mut names: Vec<String> = benchmarks().iter().flat_map(Benchmark::entry_names).collect();
+        let count = names.len();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), count);
+        for benchmark in benchmarks() {
+            let quick = &benchmark.resolutions[..benchmark.quick];
+            assert!(benchmark.resolutions.windows(2).all(|pair| pair[0] < pair[1]), "{}", benchmark.name);
+            for quantity in benchmark.quantities {
+                let met = |resolutions: &[f64], all: bool| {
+                    let mut runs = quantity.marks.iter().map(|mark| resolutions.contains(&mark.resolution));
+                    if all { runs.all(|run| run) } else { runs.any(|run| run) }
+                };
+                assert!(met(quick, false), "{}: a quick run judges nothing", benchmark.name);
+                assert!(met(&benchmark.resolutions, true), "{}: a mark no run meets", benchmark.name);
+            }
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! The command itself: select, run, print, write, judge.
+
+use super::table::table;
+use super::{Benchmark, Entry, Report, select};
+use crate::cli::{ExitStatus, VerifyArguments};
+use crate::observe::{Machine, summary::write_json};
+
+/// Runs `welder verify`.
+pub fn command(arguments: &VerifyArguments) -> ExitStatus {
+    let chosen = match select(&arguments.names) {
+        Ok(chosen) => chosen,
+        Err(unknown) => {
+            tracing::error!("{unknown}");
+            return ExitStatus::WrongInput;
+        }
+    };
+    let mut entries = Vec::new();
+    let mut unanswered = 0;
+    for benchmark in chosen {
+        match run(benchmark, arguments) {
+            Some(found) => entries.extend(found),
+            None => unanswered += 1,
+        }
+    }
+    println!("{}", table(&entries));
+    let missed = entries.iter().filter(|entry| !entry.passed).count();
+    println!("{} of {} entries hold their marks", entries.len() - missed, entries.len());
+    if let Some(path) = &arguments.json {
+        let report = Report { version: env!("CARGO_PKG_VERSION").into(), machine: Machine::here(), entries };
+        if let Err(error) = write_json(path, &report) {
+            tracing::error!("{error}");
+            return ExitStatus::WrongInput;
+        }
+    }
+    match (unanswered, missed) {
+        (0, 0) => ExitStatus::Done,
+        (0, _) => ExitStatus::AuditFailed,
+        _ => ExitStatus::RunFailed,
+    }
+}
+
+/// The entries of one benchmark; none where it has no answer, which is told.
+fn run(benchmark: &Benchmark, arguments: &VerifyArguments) -> Option<Vec<Entry>> {
+    tracing::info!("{}: {}", benchmark.name, benchmark.reference);
+    match benchmark.entries(arguments.level) {
+        Ok(entries) => Some(entries),
+        Err(error) => {
+            tracing::error!("{}: {error}", benchmark.name);
+            None
+        }
+    }
+}
