@@ -79,7 +79,8 @@ pub fn conduction_rows(
 ) -> Result<(ConductionRows, PairReport), ModelError> {
     let Neighborhood { list, images, ratio, .. } = neighborhood;
     let particles = &workpiece.particles;
-    let length = |i: usize, j: usize| ratio * pair_spacing(*ratio, particles.spacing[i], particles.spacing[j]);
+    let length =
+        |i: usize, j: usize| ratio * pair_spacing(*ratio, particles.spacing[i], particles.spacing[j]);
     let factor = |i: usize, j: usize, r: f64| Kernel::<3>::gradient_factor(kernel, r, length(i, j));
     let pairs = PairTable::new(&particles.position, &particles.volume, images, |i| list.row(i), factor)?;
     let (rows, fit) = match weights {
@@ -120,7 +121,8 @@ fn pair_spacing(ratio: f64, own: f64, other: f64) -> f64 {
 /// level has two layers of its own: one of four times the spacing is at least 6.5 spacings away, less both disorders.
 fn image_reach(support: f64, ratio: f64, disorder: f64) -> f64 {
     let reach = |f: f64| support * pair_spacing(ratio, 1.0, f);
-    let near = [0.25, 0.5, 1.0, 2.0, 4.0].into_iter().filter(|&f| f <= 2.0 || reach(f) > 6.5 - 5.0 * disorder);
+    let near =
+        [0.25, 0.5, 1.0, 2.0, 4.0].into_iter().filter(|&f| f <= 2.0 || reach(f) > 6.5 - 5.0 * disorder);
     near.map(|f| reach(f) - (0.5 - disorder).max(0.0) * f).fold(0.0, f64::max)
 }
 

@@ -11,7 +11,7 @@ use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use laser_source::SurfacePatches;
 use serde::{Deserialize, Serialize};
-use sph_thermal::boundary::surface_potential;
+use sph_thermal::boundary::{SurfaceLoss, surface_potential};
 use sph_thermal::phase::EnthalpyCurve;
 
 /// The flux at the end of a step is taken as the mean over this last share of it.
@@ -59,6 +59,8 @@ pub struct Gauge {
     levels: [f64; 2],
     sampler: Sampler,
     patches: Option<SurfacePatches>,
+    /// What leaves through the top face to the surroundings.
+    loss: Option<SurfaceLoss>,
     flux: Vec<f64>,
     now: Grid,
     peak: Grid,
@@ -119,6 +121,7 @@ impl Gauge {
             curve,
             sampler: Sampler::new(workpiece, &model.faces),
             patches,
+            loss: top_loss(model)?,
             flux: vec![0.0; nx * ny],
             now: grid(0.0),
             peak: grid(f64::NEG_INFINITY),
@@ -246,7 +249,15 @@ impl Gauge {
         for column in 0..layer {
             let first = self.now.nodes[column];
             let second = if self.counts[2] > 1 { self.now.nodes[layer + column] } else { first };
-            self.now.surface[column] = surface_potential((z1, first), (z2, second), self.flux[column]);
+            let surface = |flux: f64| surface_potential((z1, first), (z2, second), flux);
+            let entering = self.flux[column];
+            self.now.surface[column] = match &self.loss {
+                Some(loss) => {
+                    let leaving = loss.flux(self.curve.temperature_at_potential(surface(entering)));
+                    surface(entering - leaving)
+                }
+                None => surface(entering),
+            };
         }
     }
 
@@ -386,7 +397,8 @@ impl Gauge {
         if last == nz {
             return nz as f64 * self.spacing;
         }
-        let value = |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
+        let value =
+            |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
         let z = |k: usize| if k == 0 { 0.0 } else { self.spacing * (k as f64 - 0.5) };
         let start = last.saturating_sub(1);
         let (nodes, count) = near_nodes((start..(last + 3).min(nz + 1)).map(|k| (z(k), value(k))));
@@ -422,6 +434,16 @@ fn near_nodes(nodes: impl Iterator<Item = (f64, f64)>) -> ([(f64, f64); 4], usiz
         count += 1;
     }
     (near, count)
+}
+
+/// The loss of the top face, if it has one.
+fn top_loss(model: &Model) -> Result<Option<SurfaceLoss>, ModelError> {
+    match model.faces.top {
+        Face::Losses { convection_w_m2_k, emissivity, ambient_k } => {
+            Ok(Some(SurfaceLoss::new(convection_w_m2_k, emissivity, ambient_k)?))
+        }
+        _ => Ok(None),
+    }
 }
 
 fn keep_largest(peak: &mut [f64], now: &[f64]) {

@@ -42,8 +42,11 @@ fn pool_bounds(model: &Model) -> Result<[[f64; 3]; 2], ModelError> {
     };
     let fine = widened(lit_box(&pilot), largest_melt_radius(&pilot));
     let plan = LevelPlan::around(pilot.counts(), fine_box_around(&pilot, fine[0], fine[1]));
-    let mut simulation = Simulation::with_plan(pilot, &plan)?;
-    // A pilot that fails says nothing; the upper bound is right without it.
+    // A pilot that cannot be built or fails says nothing; the upper bound is right without it.
+    let mut simulation = match Simulation::with_plan(pilot, &plan) {
+        Ok(simulation) => simulation,
+        Err(_) => return Ok(widened(lit, largest_melt_radius(model))),
+    };
     if simulation.run_quietly().is_err() {
         return Ok(widened(lit, largest_melt_radius(model)));
     }

@@ -94,6 +94,11 @@ impl Deposit {
         }
     }
 
+    /// Particles that light can reach.
+    pub(super) fn particles(&self) -> &[usize] {
+        &self.particles
+    }
+
     /// The source.
     pub(super) fn source(&self) -> &LaserSource {
         &self.source

@@ -33,6 +33,8 @@ pub struct Heat {
     columns: Columns,
     /// Laser power of each particle, mean over the step in hand \[W\].
     laser: Vec<f64>,
+    /// Laser power of each particle at the end of the step in hand less that at its start \[W\].
+    swing: Vec<f64>,
     /// Enthalpy of the stage in hand where joints and faces look for it \[J/kg\].
     met: Vec<f64>,
     /// Particles that joints and faces touch.
@@ -93,6 +95,7 @@ impl Heat {
         touched.dedup();
         let mut heat = Self {
             laser: vec![0.0; columns.power.len()],
+            swing: vec![0.0; columns.power.len()],
             met: vec![0.0; if touched.is_empty() { 0 } else { columns.power.len() }],
             step_size: StepSize::new(settings.stepping, deposit.as_ref().map(Deposit::source), euler)?,
             leaving: 0.0,
@@ -177,24 +180,55 @@ impl Heat {
         self.faces.add(met, curves, &self.laser, power)
     }
 
+    /// Takes the light from `time` to `time + step` \[s\]: its mean and, from the means of both halves, its change, so that
+    /// the stages see a source that moves or ramps. Returns the energy absorbed \[J\].
+    fn light(&mut self, time: f64, step: f64) -> f64 {
+        let Some(deposit) = &mut self.deposit else { return 0.0 };
+        let middle = time + 0.5 * step;
+        let first = deposit.fill(time, middle, &mut self.laser);
+        let second = deposit.fill(middle, time + step, &mut self.swing);
+        for &i in deposit.particles() {
+            let (first, second) = (self.laser[i], self.swing[i]);
+            self.laser[i] = 0.5 * (first + second);
+            self.swing[i] = 2.0 * (second - first);
+        }
+        0.5 * step * (first + second)
+    }
+
+    /// Sets `power` of what is lit or touched to the laser's at `at` of the step, from 0 to 1.
+    fn shine(&mut self, at: f64) {
+        let power = &mut self.columns.power;
+        for &i in &self.touched {
+            power[i] = self.laser[i];
+        }
+        for &i in self.deposit.iter().flat_map(Deposit::particles) {
+            power[i] = self.laser[i] + (at - 0.5) * self.swing[i];
+        }
+    }
+
     /// One super step of `step` \[s\] from the state in hand; returns the energy that left through faces \[J\].
     fn super_step(&mut self, step: f64) -> f64 {
+        let coefficients = self.step_size.coefficients(step);
+        // An Euler step takes the mean, super steps what the laser does at each stage.
+        let behind = if coefficients.is_some() { 0.5 } else { 0.0 };
         let inverse_mass = &self.operator.inverse_mass;
         let Columns { rate, conducted, .. } = &mut self.columns;
         for i in 0..rate.len() {
-            rate[i] = conducted[i] + self.laser[i] * inverse_mass[i];
+            rate[i] = conducted[i] + (self.laser[i] - behind * self.swing[i]) * inverse_mass[i];
         }
-        let Some(coefficients) = self.step_size.coefficients(step) else {
+        let Some(coefficients) = coefficients else {
             return self.euler_stage(step, step * self.leaving);
         };
         let first = coefficients.first_mu_tilde() * step;
         let mut left = self.euler_stage(first, first * self.leaving);
         let mut left_before = 0.0;
-        self.columns.power.copy_from_slice(&self.laser);
+        // Time of the last stage and of the one before.
+        let (mut reached, mut reached_before) = (first, 0.0);
+        self.columns.power.fill(0.0);
         for weights in StageWeights::of(&coefficients, step) {
-            for &i in &self.touched {
-                self.columns.power[i] = self.laser[i];
-            }
+            self.shine(reached / step);
+            let next = weights.last * reached + weights.before * reached_before + weights.now + weights.start;
+            reached_before = std::mem::replace(&mut reached, next);
             let leaving = self.add_exchange();
             self.operator.stage(weights, &mut self.columns);
             self.count_sweep();
@@ -220,7 +254,8 @@ impl Heat {
     fn error(&self, particles: &Particles<3>, step: f64) -> f64 {
         let Columns { start, increment, rate, conducted_end, .. } = &self.columns;
         let [error, heated] = block_sum(particles.len(), |i| {
-            let end_rate = conducted_end[i] + self.laser[i] * self.operator.inverse_mass[i];
+            let end_light = self.laser[i] + 0.5 * self.swing[i];
+            let end_rate = conducted_end[i] + end_light * self.operator.inverse_mass[i];
             let error = sph_integrate::local_error(0.0, increment[i], rate[i], end_rate, step);
             let heated = start[i] + increment[i] - particles.start_enthalpy[i];
             let mass = particles.mass[i];
@@ -267,10 +302,7 @@ impl Physics<3> for Heat {
     fn advance(&mut self, particles: &mut Particles<3>, time: f64, step: f64) -> Result<f64, Failure> {
         let mut step = step;
         loop {
-            let absorbed = match &mut self.deposit {
-                Some(deposit) => step * deposit.fill(time, time + step, &mut self.laser),
-                None => 0.0,
-            };
+            let absorbed = self.light(time, step);
             let left = self.super_step(step);
             let leaving = self.conduct();
             let error = self.error(particles, step);
