@@ -92,9 +92,15 @@ fn power_lines(model: &Model) -> Option<String> {
         y_max_m: high[1] + grow(1, 1),
     };
     let audit = laser.audit(0.0, model.end, &face);
+    // Light that a thin part lets through has missed it.
+    let held = laser.absorption().share_between(0.0, model.size[2]);
     Some(format!(
         "  laser          {:.4} J commanded, {:.4} J emitted: {:.4} J absorbed, {:.4} J reflected, {:.4} J missed",
-        audit.commanded_j, audit.emitted_j, audit.absorbed_j, audit.reflected_j, audit.missed_j
+        audit.commanded_j,
+        audit.emitted_j,
+        held * audit.absorbed_j,
+        audit.reflected_j,
+        audit.missed_j + (1.0 - held) * audit.absorbed_j
     ))
 }
 

@@ -13,13 +13,15 @@ const MARGIN_BEAM_RADII: f64 = 1.1;
 /// And at least this many finest cells beyond it.
 const MARGIN_CELLS: f64 = 5.0;
 
+/// Points along each axis at which start temperatures are looked up.
+const SAMPLES: usize = 9;
+
 /// No pool can be larger than this radius \[m\]: all absorbed energy melts a half sphere around a beam at rest, or a half
 /// cylinder along a path; zero without a laser.
 pub fn largest_melt_radius(model: &Model) -> f64 {
     let Some(laser) = &model.laser else { return 0.0 };
     let track = laser.track();
-    let coldest = model.curves[0].enthalpy_at(coldest_start(model));
-    let per_volume = model.materials[0].density * (model.curves[0].enthalpy_solidus() - coldest).max(1.0);
+    let per_volume = cheapest_melt(model);
     let energy = laser.absorbed_energy(0.0, track.end_time());
     let sphere = (3.0 * energy / per_volume / std::f64::consts::TAU).cbrt();
     let speed = track.max_speed();
@@ -32,10 +34,20 @@ pub fn largest_melt_radius(model: &Model) -> f64 {
     sphere.min(cylinder)
 }
 
-/// Start temperature at the low corner of the part \[K\].
-fn coldest_start(model: &Model) -> f64 {
-    let (low, _) = model.bounds();
-    (model.start)(low).1
+/// Least energy that melts a volume of the part \[J/m³\], over a coarse grid of points.
+fn cheapest_melt(model: &Model) -> f64 {
+    let (low, high) = model.bounds();
+    let at = |n: usize| {
+        let place = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES];
+        let share = |axis: usize| (place[axis] as f64 + 0.5) / SAMPLES as f64;
+        std::array::from_fn(|axis| low[axis] + share(axis) * (high[axis] - low[axis]))
+    };
+    let needed = |n: usize| {
+        let (material, temperature) = (model.start)(at(n));
+        let (material, curve) = (&model.materials[material as usize], &model.curves[material as usize]);
+        material.density * (curve.enthalpy_solidus() - curve.enthalpy_at(temperature)).max(1.0)
+    };
+    (0..SAMPLES.pow(3)).map(needed).fold(f64::INFINITY, f64::min)
 }
 
 /// The box \[m\] that the lit part of the beam's path covers, a beam radius around it; the whole part without a laser.

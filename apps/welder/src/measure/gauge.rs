@@ -11,11 +11,14 @@ use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use laser_source::SurfacePatches;
 use serde::{Deserialize, Serialize};
-use sph_thermal::boundary::{SurfaceLoss, surface_potential};
-use sph_thermal::phase::EnthalpyCurve;
+use sph_thermal::boundary::{SurfaceLoss, surface_potential, surface_temperature};
+use sph_thermal::phase::{EnthalpyCurve, ThermalMaterial};
 
 /// The flux at the end of a step is taken as the mean over this last share of it.
 const END_OF_STEP: f64 = 1e-3;
+
+/// The liquidus and the solidus where nodes are read by how far they have melted.
+const FULLY_AND_NOT_MOLTEN: [f64; 2] = [1.0, 0.0];
 
 /// What was measured at one time.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -55,8 +58,11 @@ pub struct Gauge {
     mirror: [[bool; 2]; 2],
     /// Whether the ends of x and y, and the bottom, are faces of the part.
     face: [[bool; 2]; 3],
-    curve: EnthalpyCurve,
+    curves: Vec<EnthalpyCurve>,
+    /// Potentials of the liquidus and the solidus, where there is one material.
     levels: [f64; 2],
+    /// How far each node has melted, where there are several.
+    melting: Option<Melting>,
     sampler: Sampler,
     patches: Option<SurfacePatches>,
     /// What leaves through the top face to the surroundings.
@@ -66,6 +72,14 @@ pub struct Gauge {
     peak: Grid,
     copies: f64,
     scratch: Scratch,
+}
+
+/// How far nodes of unlike materials have melted: (T - T_s)/(T_l - T_s) of each one's own.
+struct Melting {
+    material: Vec<u8>,
+    /// Solidus, and melting range \[K\].
+    ranges: Vec<(f64, f64)>,
+    grid: Grid,
 }
 
 /// What one reading of sizes works on: kept from step to step, so that a step allocates nothing here.
@@ -108,8 +122,7 @@ impl Gauge {
             Some(_) => Some(columns(counts, low, spacing)?),
             None => None,
         };
-        let curve = model.curves[0].clone();
-        let level = |enthalpy: f64| curve.potential(enthalpy);
+        let curve = &model.curves[0];
         let grid = |value: f64| Grid { nodes: vec![value; nx * ny * nz], surface: vec![value; nx * ny] };
         Ok(Self {
             counts,
@@ -117,8 +130,9 @@ impl Gauge {
             low,
             mirror,
             face,
-            levels: [level(curve.enthalpy_liquidus()), level(curve.enthalpy_solidus())],
-            curve,
+            levels: [curve.enthalpy_liquidus(), curve.enthalpy_solidus()].map(|h| curve.potential(h)),
+            curves: model.curves.clone(),
+            melting: melting(model, workpiece, grid(0.0)),
             sampler: Sampler::new(workpiece, &model.faces),
             patches,
             loss: top_loss(model)?,
@@ -132,18 +146,24 @@ impl Gauge {
 
     /// Measures the state at `time` after a step of `step` \[s\].
     pub fn measure(&mut self, model: &Model, particles: &Particles<3>, time: f64, step: f64) -> Measure {
-        let curve = &self.curve;
-        self.sampler.read(|i| curve.potential(particles.enthalpy[i]), &mut self.now.nodes);
+        let curve = |i: usize| &self.curves[particles.material[i] as usize];
+        self.sampler.read(|i| curve(i).potential(particles.enthalpy[i]), &mut self.now.nodes);
         self.read_surface(model, time, step);
-        keep_largest(&mut self.peak.nodes, &self.now.nodes);
-        keep_largest(&mut self.peak.surface, &self.now.surface);
-        let [liquidus, solidus] = self.levels;
+        if let Some(melting) = &mut self.melting {
+            melting.read(&self.now, &self.curves);
+        }
+        let (grid, [liquidus, solidus]) = match &self.melting {
+            None => (&self.now, self.levels),
+            Some(melting) => (&melting.grid, FULLY_AND_NOT_MOLTEN),
+        };
+        keep_largest(&mut self.peak.nodes, &grid.nodes);
+        keep_largest(&mut self.peak.surface, &grid.surface);
         let mut scratch = std::mem::take(&mut self.scratch);
-        let liquidus = self.extent(&self.now, liquidus, &mut scratch);
-        let solidus = self.extent(&self.now, solidus, &mut scratch);
+        let liquidus = self.extent(grid, liquidus, &mut scratch);
+        let solidus = self.extent(grid, solidus, &mut scratch);
         self.scratch = scratch;
         Measure {
-            peak_temperature: self.curve.temperature_at_potential(self.surface_peak()),
+            peak_temperature: self.peak_temperature(),
             liquidus,
             beyond_finest: self.at_edge(&solidus),
             solidus,
@@ -154,10 +174,11 @@ impl Gauge {
 
     /// Everything that was ever above the liquidus: the weld.
     pub fn weld(&self) -> Extent {
-        self.extent(&self.peak, self.levels[0], &mut Scratch::default())
+        let [liquidus, _] = if self.melting.is_some() { FULLY_AND_NOT_MOLTEN } else { self.levels };
+        self.extent(&self.peak, liquidus, &mut Scratch::default())
     }
 
-    /// Volume that was ever all liquid, mirror images counted \[m³\].
+    /// Volume that was ever liquid, by the largest liquid fraction of each particle, mirror images counted \[m³\].
     pub fn weld_volume(&self, model: &Model, particles: &Particles<3>) -> f64 {
         let share = |i: usize| {
             let curve = &model.curves[particles.material[i] as usize];
@@ -198,7 +219,7 @@ impl Gauge {
         let column = column as usize;
         let node = |layer: usize, k: usize| {
             let place = if axis == 1 { column * nx + k } else { k * nx + column };
-            self.curve.temperature_at_potential(self.now.nodes[layer * nx * ny + place])
+            self.temperature(layer * nx * ny + place, self.now.nodes[layer * nx * ny + place])
         };
         let y = (0..nz).rev().map(|layer| -self.spacing * (layer as f64 + 0.5)).collect();
         self.unfold(along, y, |row, k| node(nz - 1 - row, k))
@@ -207,8 +228,7 @@ impl Gauge {
     /// Temperatures of the top face at the last measure, mirror images added.
     pub fn top(&self) -> Map {
         let nx = self.counts[0];
-        let temperature =
-            |j: usize, i: usize| self.curve.temperature_at_potential(self.now.surface[j * nx + i]);
+        let temperature = |j: usize, i: usize| self.temperature(j * nx + i, self.now.surface[j * nx + i]);
         let y: Vec<f64> =
             (0..self.counts[1]).map(|j| self.low[1] + self.spacing * (j as f64 + 0.5)).collect();
         if !self.mirror[1][0] {
@@ -252,9 +272,11 @@ impl Gauge {
             let surface = |flux: f64| surface_potential((z1, first), (z2, second), flux);
             let entering = self.flux[column];
             self.now.surface[column] = match &self.loss {
+                // The law is linear in the flux: what it gives without one, and what one lifts it by.
                 Some(loss) => {
-                    let leaving = loss.flux(self.curve.temperature_at_potential(surface(entering)));
-                    surface(entering - leaving)
+                    let (still, lift) = (surface(0.0), surface_potential((z1, 0.0), (z2, 0.0), 1.0));
+                    let curve = &self.curves[self.material(column)];
+                    curve.potential_at(surface_temperature(curve, still, entering, lift, loss))
                 }
                 None => surface(entering),
             };
@@ -263,6 +285,25 @@ impl Gauge {
 
     fn surface_len(&self) -> usize {
         self.counts[0] * self.counts[1]
+    }
+
+    /// Material of a node; a column of the top face has that of its first node.
+    fn material(&self, node: usize) -> usize {
+        self.melting.as_ref().map_or(0, |melting| melting.material[node] as usize)
+    }
+
+    /// Temperature \[K\] at a potential in the material of a node.
+    fn temperature(&self, node: usize, potential: f64) -> f64 {
+        self.curves[self.material(node)].temperature_at_potential(potential)
+    }
+
+    /// Hottest point of the top face \[K\]: between particles of one material, at a particle where there are several.
+    fn peak_temperature(&self) -> f64 {
+        if self.melting.is_none() {
+            return self.temperature(0, self.surface_peak());
+        }
+        let surface = self.now.surface.iter().enumerate();
+        surface.map(|(column, &potential)| self.temperature(column, potential)).fold(0.0, f64::max)
     }
 
     /// Highest potential of the top face, with the parabolas through its neighbours along x and y.
@@ -434,6 +475,33 @@ fn near_nodes(nodes: impl Iterator<Item = (f64, f64)>) -> ([(f64, f64); 4], usiz
         count += 1;
     }
     (near, count)
+}
+
+impl Melting {
+    fn read(&mut self, now: &Grid, curves: &[EnthalpyCurve]) {
+        let Self { material, ranges, grid } = self;
+        let molten = |node: usize, potential: f64| {
+            let material = material[node] as usize;
+            let (solidus, range) = ranges[material];
+            (curves[material].temperature_at_potential(potential) - solidus) / range
+        };
+        let fill = |to: &mut [f64], from: &[f64]| {
+            to.iter_mut().zip(from).enumerate().for_each(|(node, (to, &from))| *to = molten(node, from));
+        };
+        fill(&mut grid.nodes, &now.nodes);
+        fill(&mut grid.surface, &now.surface);
+    }
+}
+
+/// The melting of nodes, where the part has several materials.
+fn melting(model: &Model, workpiece: &Workpiece, grid: Grid) -> Option<Melting> {
+    let material = |&particle: &u32| workpiece.particles.material[particle as usize];
+    let range = |material: &ThermalMaterial| (material.solidus, material.liquidus - material.solidus);
+    (model.curves.len() > 1).then(|| Melting {
+        material: workpiece.finest_particles.iter().map(material).collect(),
+        ranges: model.materials.iter().map(range).collect(),
+        grid,
+    })
 }
 
 /// The loss of the top face, if it has one.

@@ -53,7 +53,7 @@ pub struct Summary {
     pub threads: usize,
     /// Most memory held, where the system tells.
     pub peak_memory_bytes: Option<u64>,
-    /// Highest temperature of any particle at any time.
+    /// Highest temperature of the top face at any time, between particles.
     pub peak_temperature_k: f64,
     /// The largest pool.
     pub pool: Pool,
@@ -121,7 +121,7 @@ pub struct Energy {
     pub kinetic_j: f64,
     /// Stored as strain.
     pub strain_j: f64,
-    /// What cannot be accounted for, relative to what was absorbed.
+    /// What cannot be accounted for, over the energy turned over (absorbed, lost or moved inside, whichever is largest).
     pub residual_rel: f64,
 }
 

@@ -61,10 +61,17 @@ pub fn command(arguments: &RunArguments) -> ExitStatus {
 }
 
 fn run(case: &Case, arguments: &RunArguments) -> ExitStatus {
+    interrupt_flag();
     match run_growing(case, arguments) {
         Ok((run, status)) => run.tell(status),
         Err(RunError::Case(report)) => {
             eprint!("{report}");
+            ExitStatus::WrongInput
+        }
+        Err(RunError::Checkpoint(
+            error @ (CheckpointError::OtherCase { .. } | CheckpointError::OtherVersion { .. }),
+        )) => {
+            tracing::error!("{error}");
             ExitStatus::WrongInput
         }
         Err(RunError::Model(error)) => {
@@ -84,8 +91,9 @@ fn run_growing(case: &Case, arguments: &RunArguments) -> Result<(Run, ExitStatus
     let mut resume = arguments.resume;
     for growth in 0..=LARGEST_GROWTHS {
         let mut run = Run::start(case, arguments, resume, step * growth as f64)?;
+        run.may_grow = case.scene.resolution.levels == Levels::Auto && growth < LARGEST_GROWTHS;
         match run.go(arguments.until_s) {
-            Err(RunError::FineBoxTooSmall) if growth < LARGEST_GROWTHS => {
+            Err(RunError::FineBoxTooSmall) => {
                 tracing::warn!(
                     "melt reached coarse particles at t = {:.3e} s; starting anew with a larger fine box",
                     run.simulation.time()
@@ -121,6 +129,8 @@ struct Run {
     started: Instant,
     setup_s: f64,
     max_steps: u64,
+    /// Whether a fine box that turns out too small is widened instead of refused.
+    may_grow: bool,
     stop: &'static AtomicBool,
 }
 
@@ -167,6 +177,7 @@ impl Run {
             setup_s: started.elapsed().as_secs_f64(),
             started,
             max_steps: scene.budget.max_steps,
+            may_grow: false,
             stop: interrupt_flag(),
             folder,
         })
@@ -218,8 +229,7 @@ impl Run {
                 Ok(report) => self.last = report,
                 Err(failure) => return self.fail(&failure),
             }
-            let grows = self.simulation.model().resolution.levels == Levels::Auto;
-            if grows && self.simulation.records().now.beyond_finest {
+            if self.may_grow && self.simulation.records().now.beyond_finest {
                 return Err(RunError::FineBoxTooSmall);
             }
             if let Some(problem) = self.problem() {

@@ -2,11 +2,11 @@
 
 use super::Simulation;
 use crate::build::{CellBox, LevelPlan, fine_box_around, largest_melt_radius, lit_box};
-use crate::case::scene::{Levels, Resolution};
+use crate::case::scene::{Face, Levels, Resolution};
 use crate::model::{Model, ModelError};
 
 /// Beam radii (1/e) to a spacing of the pilot.
-const PILOT_BEAM_RADII: f64 = 3.0;
+const PILOT_BEAM_RADII: f64 = 2.2;
 
 /// A pilot is worth its cost only if it is this many times coarser than the run.
 const SMALLEST_COARSENING: i64 = 2;
@@ -79,6 +79,16 @@ fn pilot_model(model: &Model) -> Option<Model> {
     pilot.resolution =
         Resolution { spacing_m: spacing, disorder: 0.0, levels: Levels::Auto, ..model.resolution };
     pilot.size = model.counts().map(|count| (count / factor) as f64 * spacing);
+    // What is cut off is cut off opposite to a symmetry plane.
+    let faces = [[model.faces.x_min, model.faces.x_max], [model.faces.y_min, model.faces.y_max]];
+    for (axis, [low, high]) in faces.into_iter().enumerate() {
+        let cut = model.size[axis] - pilot.size[axis];
+        match (low == Face::Symmetry, high == Face::Symmetry) {
+            (true, true) if cut > 0.5 * model.spacing() => return None,
+            (false, true) => pilot.low_corner[axis] += cut,
+            _ => {}
+        }
+    }
     Some(pilot)
 }
 

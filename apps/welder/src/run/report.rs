@@ -36,9 +36,10 @@ pub fn summary(simulation: &Simulation, status: Status, wall_s: f64, setup_s: f6
             at_solidus: solidus,
         },
         weld: Weld {
-            width_m: weld.width,
-            length_m: weld.length,
-            depth_m: weld.depth,
+            // The weld holds every pool; peaks are kept node by node, so a size read off them can fall a hair short.
+            width_m: weld.width.max(pool.max_width_m),
+            length_m: weld.length.max(pool.max_length_m),
+            depth_m: weld.depth.max(pool.max_depth_m),
             volume_m3: simulation.gauge().weld_volume(simulation.model(), simulation.particles()),
             solidified_at_s: records.solidified_at,
         },

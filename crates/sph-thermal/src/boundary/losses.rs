@@ -1,6 +1,10 @@
 //! Convection and radiation from a free face.
 
 use crate::error::Error;
+use crate::phase::EnthalpyCurve;
+
+/// Newton steps to a surface temperature; three to six are usual.
+const LARGEST_ITERATION_COUNT: usize = 60;
 
 /// Stefan-Boltzmann constant \[W/(m² K⁴)\] (CODATA 2018).
 pub const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
@@ -45,6 +49,31 @@ impl SurfaceLoss {
     }
 }
 
+/// Surface temperature \[K\] of a body that takes up `entering` and loses heat by `law`: the root of
+/// theta(T) = `potential` + (`entering` - q(T)) `depth`, which is one since both sides are monotone.
+///
+/// `potential` \[W/m\] is what the surface would have without any flux, `depth` \[m\] by how much a flux \[W/m²\] lifts it.
+pub fn surface_temperature(
+    curve: &EnthalpyCurve,
+    potential: f64,
+    entering: f64,
+    depth: f64,
+    law: &SurfaceLoss,
+) -> f64 {
+    let mut temperature = curve.temperature_at_potential(potential);
+    for _ in 0..LARGEST_ITERATION_COUNT {
+        let enthalpy = curve.enthalpy_at(temperature);
+        let excess = curve.potential(enthalpy) - potential - (entering - law.flux(temperature)) * depth;
+        let step = excess / (curve.conductivity(enthalpy) + law.slope(temperature).max(0.0) * depth);
+        // Never more than half way down: the fourth power must not be left below zero.
+        temperature = (temperature - step).max(0.5 * temperature);
+        if step.abs() < 1e-9 * temperature {
+            break;
+        }
+    }
+    temperature
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -60,6 +89,22 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_surface_balances_what_enters_conducts_and_leaves(
+            h in 0.0..1e7f64, e in 0.0..1.0f64, own in 300.0..2500.0f64, q in 0.0..5e8f64, z in 1e-6..1e-3f64,
+        ) {
+            let curve = EnthalpyCurve::continuous(&crate::phase::tests_material()).unwrap();
+            let law = SurfaceLoss::new(h, e, 293.0).unwrap();
+            let potential = curve.potential_at(own);
+            let surface = surface_temperature(&curve, potential, q, z, &law);
+            let conducted = (curve.potential_at(surface) - potential) / z;
+            let balance = q - law.flux(surface) - conducted;
+            let scale = q + law.flux(own).abs() + conducted.abs() + curve.potential_at(own).abs() / z;
+            prop_assert!(balance.abs() < 1e-7 * scale, "{surface} K leaves {balance} of {scale}");
+            // However strong the loss, it cannot cool the surface below its surroundings.
+            prop_assert!(surface > 292.99);
+        }
+
         #[test]
         fn slope_is_the_derivative_and_equilibrium_loses_nothing(
             h in 0.0..1e4f64, e in 0.0..1.0f64, ambient in 200.0..500.0f64, t in 250.0..3000.0f64,

@@ -3,5 +3,5 @@
 mod losses;
 mod surface;
 
-pub use losses::{STEFAN_BOLTZMANN, SurfaceLoss};
+pub use losses::{STEFAN_BOLTZMANN, SurfaceLoss, surface_temperature};
 pub use surface::surface_potential;

@@ -122,11 +122,15 @@ impl ConductionRows {
         candidates.iter().map(area).collect()
     }
 
-    /// Largest sum of a row over the particle's heat content `inertia` = rho V \[kg\]: twice it bounds the spectrum
-    /// of `d h_i/dt = (1/inertia_i) sum g (h_j - h_i)` (Gershgorin).
-    pub fn gershgorin_bound(&self, inertia: &[f64]) -> f64 {
-        let mut diagonal: Vec<f64> =
-            (0..self.particles()).map(|i| self.row(i).1.iter().map(|g| g.abs()).sum()).collect();
+    /// Bound on the spectrum of `d h_i/dt = (1/inertia_i) sum_j g_ij (h_j - h_i)` by the largest row sum (Gershgorin), with
+    /// `inertia` = rho V \[kg\] and weights multiplied by `scale(i, j)`, which is one but where a pair conducts better than
+    /// its potentials say.
+    pub fn gershgorin_bound(&self, inertia: &[f64], scale: impl Fn(usize, usize) -> f64) -> f64 {
+        let row_sum = |i: usize| -> f64 {
+            let (neighbors, weights) = self.row(i);
+            neighbors.iter().zip(weights).map(|(&j, g)| scale(i, j as usize) * g.abs()).sum()
+        };
+        let mut diagonal: Vec<f64> = (0..self.particles()).map(row_sum).collect();
         for wall in &self.walls {
             diagonal[wall.particle as usize] += 0.5 * wall.coefficient.abs();
         }

@@ -180,6 +180,11 @@ impl EnthalpyCurve {
         self.largest_slope
     }
 
+    /// Largest dT/dh = 1/c \[kg K/J\] of the curve.
+    pub fn largest_temperature_slope(&self) -> f64 {
+        self.pieces.iter().map(|piece| piece.slope).fold(0.0, f64::max)
+    }
+
     #[inline]
     fn piece_of(&self, enthalpy: f64) -> usize {
         let last = self.buckets.len() - 1;

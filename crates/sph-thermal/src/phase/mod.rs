@@ -7,3 +7,6 @@ mod table;
 pub use curve::{EnthalpyCurve, TemperatureJump};
 pub use material::ThermalMaterial;
 pub use table::Table;
+
+#[cfg(test)]
+pub(crate) use material::tests::aluminium as tests_material;

@@ -3,9 +3,12 @@
 use crate::build::Workpiece;
 use crate::case::scene::{Face, Faces};
 use crate::model::{Model, ModelError};
-use sph_thermal::boundary::SurfaceLoss;
+use sph_thermal::boundary::{SurfaceLoss, surface_temperature};
 use sph_thermal::conduction::ConductionRows;
 use sph_thermal::phase::EnthalpyCurve;
+
+/// Radiation is taken to be as stiff as at this temperature \[K\], above the boiling point of the metals that are welded.
+const HOTTEST: f64 = 4000.0;
 
 /// A particle that exchanges heat with a face of fixed temperature.
 struct Wall {
@@ -88,6 +91,15 @@ impl FaceExchange {
         &self.particles
     }
 
+    /// Largest share of a particle's heat above its surroundings that it loses in a second \[1/s\].
+    pub(super) fn fastest_loss(&self, curves: &[EnthalpyCurve], mass: &[f64]) -> f64 {
+        let rate = |loss: &Loss| {
+            let slope = curves[self.material[loss.particle] as usize].largest_temperature_slope();
+            loss.area * loss.law.slope(HOTTEST) * slope / mass[loss.particle]
+        };
+        self.losses.iter().map(rate).fold(0.0, f64::max)
+    }
+
     /// Adds the heat \[W\] that each particle receives to `power`, and returns the heat \[W\] that leaves the part.
     ///
     /// `laser` is the power \[W\] that the laser gives each particle: it lifts the surface above the particle's centre.
@@ -109,11 +121,10 @@ impl FaceExchange {
         }
         for loss in &self.losses {
             let curve = curve(loss.particle);
-            let (own, entering) =
-                (curve.potential(enthalpy[loss.particle]), laser[loss.particle] / loss.area);
-            let flux_at = |net: f64| loss.law.flux(curve.temperature_at_potential(own + net * loss.depth));
-            // What leaves lowers the surface again; one correction, since the fall over a particle is small.
-            let lost = loss.area * flux_at(entering - flux_at(entering));
+            let own = curve.potential(enthalpy[loss.particle]);
+            let entering = laser[loss.particle] / loss.area;
+            let surface = surface_temperature(curve, own, entering, loss.depth, &loss.law);
+            let lost = loss.area * loss.law.flux(surface);
             power[loss.particle] -= lost;
             leaving += lost;
         }

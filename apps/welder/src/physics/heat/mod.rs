@@ -83,7 +83,9 @@ impl Heat {
         };
         let largest_slope =
             model.curves.iter().map(|curve| curve.largest_potential_slope()).fold(0.0, f64::max);
-        let euler = 2.0 / (largest_slope * spectral_bound(&rows, &particles.mass));
+        let fastest = largest_slope * spectral_bound(&rows, particles)
+            + faces.fastest_loss(&model.curves, &particles.mass);
+        let euler = 2.0 / fastest;
         let harmonic = settings.conductivity_mean == ConductivityMean::Harmonic;
         let (rows, joints) =
             if harmonic { (rows, Vec::new()) } else { rows.split_joints(&particles.material) };
@@ -420,9 +422,13 @@ pub fn kernel_kind(shape: KernelShape) -> KernelKind {
 
 /// Bound on the spectrum of `dh/dt = (1/mass) sum g (h_j - h_i)`: Gershgorin's, or the power iteration's where rows are
 /// long enough for it to pay (it finds 0.55 to 0.85 of Gershgorin's bound there).
-fn spectral_bound(rows: &ConductionRows, mass: &[f64]) -> f64 {
-    let gershgorin = rows.gershgorin_bound(mass);
-    if rows.pairs() < POWER_ITERATION_PAIRS * rows.particles() {
+fn spectral_bound(rows: &ConductionRows, particles: &Particles<3>) -> f64 {
+    let (mass, material) = (&particles.mass, &particles.material);
+    // The harmonic mean of a joint is up to twice the conductivity of the poorer side.
+    let scale = |i: usize, j: usize| if material[i] == material[j] { 1.0 } else { 2.0 };
+    let gershgorin = rows.gershgorin_bound(mass, scale);
+    let joined = material.iter().any(|other| *other != material[0]);
+    if joined || rows.pairs() < POWER_ITERATION_PAIRS * rows.particles() {
         return gershgorin;
     }
     // The symmetric form: 1/sqrt(mass) on either side.
