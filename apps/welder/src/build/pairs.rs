@@ -76,7 +76,8 @@ fn pair_spacing(ratio: f64, own: f64, other: f64) -> f64 {
 /// level has two layers of its own: one of four times the spacing is at least 6.5 spacings away, less both disorders.
 fn image_reach(support: f64, ratio: f64, disorder: f64) -> f64 {
     let reach = |f: f64| support * pair_spacing(ratio, 1.0, f);
-    let near = [0.25, 0.5, 1.0, 2.0, 4.0].into_iter().filter(|&f| f <= 2.0 || reach(f) > 6.5 - 5.0 * disorder);
+    let near =
+        [0.25, 0.5, 1.0, 2.0, 4.0].into_iter().filter(|&f| f <= 2.0 || reach(f) > 6.5 - 5.0 * disorder);
     near.map(|f| reach(f) - (0.5 - disorder).max(0.0) * f).fold(0.0, f64::max)
 }
 

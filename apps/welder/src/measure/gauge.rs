@@ -178,11 +178,13 @@ impl Gauge {
     pub fn section(&self, axis: usize, at: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let [nx, ny, nz] = self.counts;
         let along = 1 - axis;
-        let fixed = ((at - self.low[axis]) / self.spacing - 0.5).round().clamp(0.0, self.counts[axis] as f64 - 1.0);
+        let fixed =
+            ((at - self.low[axis]) / self.spacing - 0.5).round().clamp(0.0, self.counts[axis] as f64 - 1.0);
         let column = |k: usize| if axis == 1 { fixed as usize * nx + k } else { k * nx + fixed as usize };
         let count = self.counts[along];
         let horizontal = (0..count).map(|k| self.low[along] + self.spacing * (k as f64 + 0.5)).collect();
-        let vertical = std::iter::once(0.0).chain((0..nz).map(|k| -self.spacing * (k as f64 + 0.5))).collect();
+        let vertical =
+            std::iter::once(0.0).chain((0..nz).map(|k| -self.spacing * (k as f64 + 0.5))).collect();
         let temperature = |theta: f64| self.curve.temperature_at_potential(theta);
         let mut values: Vec<f64> = (0..count).map(|k| temperature(self.now.surface[column(k)])).collect();
         for layer in 0..nz {
@@ -193,8 +195,10 @@ impl Gauge {
 
     /// Temperatures \[K\] of the top face as (x m, y m, temperatures row by row along y).
     pub fn top(&self) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
-        let axis = |a: usize| (0..self.counts[a]).map(|k| self.low[a] + self.spacing * (k as f64 + 0.5)).collect();
-        let values = self.now.surface.iter().map(|&theta| self.curve.temperature_at_potential(theta)).collect();
+        let axis =
+            |a: usize| (0..self.counts[a]).map(|k| self.low[a] + self.spacing * (k as f64 + 0.5)).collect();
+        let values =
+            self.now.surface.iter().map(|&theta| self.curve.temperature_at_potential(theta)).collect();
         (axis(0), axis(1), values)
     }
 
@@ -223,13 +227,16 @@ impl Gauge {
     /// Highest potential of the top face, with the parabolas through its neighbours along x and y.
     fn surface_peak(&self) -> f64 {
         let surface = &self.now.surface;
-        let Some(at) = (0..surface.len()).max_by(|&a, &b| surface[a].total_cmp(&surface[b])) else { return 0.0 };
+        let Some(at) = (0..surface.len()).max_by(|&a, &b| surface[a].total_cmp(&surface[b])) else {
+            return 0.0;
+        };
         let nx = self.counts[0];
         let place = [at % nx, at / nx];
         let stride = [1, nx];
         let rise = |axis: usize| {
             let [low, high] = self.mirror[axis];
-            let before = if place[axis] > 0 { Some(surface[at - stride[axis]]) } else { low.then_some(surface[at]) };
+            let before =
+                if place[axis] > 0 { Some(surface[at - stride[axis]]) } else { low.then_some(surface[at]) };
             let last = place[axis] + 1 == self.counts[axis];
             let after = if last { high.then_some(surface[at]) } else { Some(surface[at + stride[axis]]) };
             match (before, after) {
@@ -271,7 +278,8 @@ impl Gauge {
         let low_end = self.low[axis];
         let high_end = low_end + self.spacing * self.counts[axis] as f64;
         let touches = |mirror: bool, gap: f64| mirror && gap < 1e-9 * self.spacing;
-        let doubled = touches(self.mirror[axis][0], low - low_end) || touches(self.mirror[axis][1], high_end - high);
+        let doubled =
+            touches(self.mirror[axis][0], low - low_end) || touches(self.mirror[axis][1], high_end - high);
         if doubled { 2.0 * (high - low) } else { high - low }
     }
 
@@ -348,7 +356,8 @@ impl Gauge {
         if last == nz {
             return nz as f64 * self.spacing;
         }
-        let value = |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
+        let value =
+            |k: usize| if k == 0 { grid.surface[column] } else { grid.nodes[(k - 1) * layer + column] };
         let z = |k: usize| if k == 0 { 0.0 } else { self.spacing * (k as f64 - 0.5) };
         let start = last.saturating_sub(1);
         let (nodes, count) = near_nodes((start..(last + 3).min(nz + 1)).map(|k| (z(k), value(k))));
@@ -391,7 +400,8 @@ fn keep_largest(peak: &mut [f64], now: &[f64]) {
 }
 
 fn over_solidus(model: &Model, particles: &Particles<3>) -> f64 {
-    let over = |i: usize| particles.enthalpy[i] - model.curves[particles.material[i] as usize].enthalpy_solidus();
+    let over =
+        |i: usize| particles.enthalpy[i] - model.curves[particles.material[i] as usize].enthalpy_solidus();
     (0..particles.len()).map(over).fold(f64::NEG_INFINITY, f64::max)
 }
 

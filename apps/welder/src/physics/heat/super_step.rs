@@ -61,7 +61,8 @@ impl Columns {
     pub(super) fn new(operator: &Operator) -> Self {
         let padded = operator.matrix.padded_len();
         let column = || vec![0.0; padded];
-        let harmonic = || if operator.exchange == Exchange::Harmonic { vec![0.0; padded] } else { Vec::new() };
+        let harmonic =
+            || if operator.exchange == Exchange::Harmonic { vec![0.0; padded] } else { Vec::new() };
         Self {
             start: column(),
             conducted: column(),
@@ -183,7 +184,9 @@ impl Operator {
                 let next = &mut next[at..at + LANES];
                 for lane in 0..LANES {
                     let now = (heat[lane] + power[lane]) * mass[lane];
-                    next[lane] = weights.last * last[lane] + weights.before * next[lane] + weights.now * now
+                    next[lane] = weights.last * last[lane]
+                        + weights.before * next[lane]
+                        + weights.now * now
                         + weights.start * rate[lane];
                 }
                 let potential = &mut potential[at..at + LANES];
