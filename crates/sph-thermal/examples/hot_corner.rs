@@ -29,7 +29,7 @@ fn main() -> Result<(), Error> {
 
     let rows = conduction_rows(&positions, &volume)?;
     let matrix = ConductionMatrix::new(&rows);
-    let step = 0.9 * 2.0 / (curve.largest_potential_slope() * rows.gershgorin_bound(&mass));
+    let step = 0.9 * 2.0 / (curve.largest_potential_slope() * rows.gershgorin_bound(&mass, |_, _| 1.0));
 
     let hot = |p: &Vector3<f64>| p.max() < 4.0 * SPACING;
     let start = |p| curve.enthalpy_at(if hot(p) { 2000.0 } else { 293.0 });

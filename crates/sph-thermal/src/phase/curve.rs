@@ -20,6 +20,9 @@ use crate::error::Error;
 /// How far a heat capacity may change over one linear piece of the curve; the curve is exact at the ends of each.
 const HEAT_CAPACITY_CHANGE_PER_PIECE: f64 = 0.0025;
 
+/// Pieces up to which selecting among all is faster than looking one up.
+const MOST_SELECTED_PIECES: usize = 12;
+
 /// The bend of temperature where the paper's curve meets its own mushy branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TemperatureJump {
@@ -134,6 +137,35 @@ impl EnthalpyCurve {
         let piece = &self.pieces[self.piece_of(enthalpy)];
         let over = enthalpy - piece.enthalpy;
         piece.potential + over * (piece.linear + over * piece.quadratic)
+    }
+
+    /// [`potential`](Self::potential) of several enthalpies at once: with few pieces, by selection instead of look-up,
+    /// which compilers turn into vector code.
+    #[inline]
+    pub fn potentials<const N: usize>(&self, enthalpy: &[f64; N]) -> [f64; N] {
+        if self.pieces.len() > MOST_SELECTED_PIECES {
+            return enthalpy.map(|enthalpy| self.potential(enthalpy));
+        }
+        let first = &self.pieces[0];
+        let mut start = [first.enthalpy; N];
+        let mut constant = [first.potential; N];
+        let mut linear = [first.linear; N];
+        let mut quadratic = [first.quadratic; N];
+        for piece in &self.pieces[1..] {
+            for lane in 0..N {
+                let here = enthalpy[lane] >= piece.enthalpy;
+                start[lane] = if here { piece.enthalpy } else { start[lane] };
+                constant[lane] = if here { piece.potential } else { constant[lane] };
+                linear[lane] = if here { piece.linear } else { linear[lane] };
+                quadratic[lane] = if here { piece.quadratic } else { quadratic[lane] };
+            }
+        }
+        let mut potential = [0.0; N];
+        for lane in 0..N {
+            let over = enthalpy[lane] - start[lane];
+            potential[lane] = constant[lane] + over * (linear[lane] + over * quadratic[lane]);
+        }
+        potential
     }
 
     /// Conductivity \[W/(m K)\] at a specific enthalpy \[J/kg\].
@@ -378,6 +410,7 @@ mod tests {
             let t = curve.temperature(h);
             prop_assert!((curve.enthalpy_at(t) - h).abs() <= 1e-9 * curve.enthalpy_liquidus());
             let theta = curve.potential(h);
+            prop_assert_eq!(curve.potentials(&[h, 0.5 * h, h + step, 2.0 * h]), [h, 0.5 * h, h + step, 2.0 * h].map(|h| curve.potential(h)));
             prop_assert!((curve.temperature_at_potential(theta) - t).abs() < 1e-6 * t.max(1.0));
             // d theta = k dT, by the midpoint.
             let slope = (curve.potential(h + step) - theta) / rise;

@@ -225,9 +225,11 @@ impl Operator {
     fn chunk_potential(&self, base: usize, start: &[f64], increment: &[f64], potential: &mut [f64]) {
         match self.curves.as_slice() {
             [curve] => {
+                let mut enthalpy = [0.0; LANES];
                 for lane in 0..LANES {
-                    potential[lane] = curve.potential(start[lane] + increment[lane]);
+                    enthalpy[lane] = start[lane] + increment[lane];
                 }
+                potential.copy_from_slice(&curve.potentials(&enthalpy));
             }
             curves => {
                 for lane in 0..LANES.min(self.material.len().saturating_sub(base)) {
