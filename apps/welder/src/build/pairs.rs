@@ -11,8 +11,8 @@ use sph_thermal::conduction::{ConductionRows, FitReport, Images, PairTable};
 /// of both, narrow kernels would not reach across a jump of spacing.
 const NARROW: f64 = 0.85;
 
-/// Residual to which the weights are fitted; linear fields across a jump are exact to about this. Pool sizes are the same
-/// with 1e-4 to 0.1 %, but that takes 3 to 20 times the iterations on parts whose cells are odd in number.
+/// Residual to which the weights are fitted; linear fields across a jump are exact to about this. Spots are the same with
+/// 1e-4 to 0.1 %, but that takes 3 to 20 times the iterations where the cells across the part are odd in number.
 const FIT_TOLERANCE: f64 = 1e-3;
 
 /// What the set-up of the pairs found.

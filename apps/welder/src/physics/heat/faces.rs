@@ -109,7 +109,8 @@ impl FaceExchange {
         }
         for loss in &self.losses {
             let curve = curve(loss.particle);
-            let (own, entering) = (curve.potential(enthalpy[loss.particle]), laser[loss.particle] / loss.area);
+            let (own, entering) =
+                (curve.potential(enthalpy[loss.particle]), laser[loss.particle] / loss.area);
             let flux_at = |net: f64| loss.law.flux(curve.temperature_at_potential(own + net * loss.depth));
             // What leaves lowers the surface again; one correction, since the fall over a particle is small.
             let lost = loss.area * flux_at(entering - flux_at(entering));
