@@ -4,10 +4,12 @@ mod error;
 mod laws;
 mod moduli;
 mod tensor;
+mod total;
 mod waves;
 
 pub use error::Error;
 pub use laws::*;
 pub use moduli::IsotropicModuli;
 pub use tensor::SymmetricTensor;
+pub use total::*;
 pub use waves::{bar_speed, pressure_wave_speed, shear_wave_speed};

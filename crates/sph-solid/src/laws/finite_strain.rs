@@ -30,6 +30,20 @@ pub fn second_stress<const D: usize>(
     SymmetricTensor::isotropic(moduli.lambda_pa() * strain.trace()) + *strain * (2.0 * moduli.shear_pa())
 }
 
+/// The strain E with S = C : E for a given stress S \[-\]: the inverse of [`second_stress`].
+///
+/// The negative of it, as inelastic strain, puts a body under the stress S in its reference: so is stress carried over when
+/// a body gets a new reference.
+#[inline]
+#[must_use]
+pub fn strain_of_stress<const D: usize>(
+    stress: &SymmetricTensor<D>,
+    moduli: &IsotropicModuli,
+) -> SymmetricTensor<D> {
+    SymmetricTensor::isotropic(stress.trace() / (9.0 * moduli.bulk_pa()))
+        + stress.deviator() * (0.5 / moduli.shear_pa())
+}
+
 /// P = theta F S \[Pa\], the first Piola-Kirchhoff stress: force per reference area, the derivative of the energy to F.
 #[inline]
 #[must_use]
@@ -120,6 +134,14 @@ mod tests {
                 let slope = (energy(&above) - energy(&below)) / (2.0 * step);
                 prop_assert!((slope - stress[k]).abs() < 1e-8 * 70e9);
             }
+        }
+
+        #[test]
+        fn strain_and_stress_lead_to_each_other(entries in prop::array::uniform4(-1e-3..1e-3_f64)) {
+            let [xx, yy, xy, out_of_plane] = entries;
+            let strain = SymmetricTensor { in_plane: Matrix2::new(xx, xy, xy, yy), out_of_plane };
+            let back = strain_of_stress(&second_stress(&strain, &moduli()), &moduli());
+            prop_assert!((back - strain).norm_squared().sqrt() < 1e-17);
         }
 
         #[test]

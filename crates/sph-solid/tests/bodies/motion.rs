@@ -1,0 +1,206 @@
+//! Motion: bending, spin, and what must not change with them.
+
+use crate::scene::{Scene, lattice};
+use crate::{DENSITY, aluminium};
+use nalgebra::{Matrix2, Vector2};
+use sph_solid::{
+    Controls, IsotropicModuli, Material, SymmetricTensor, gough_joule_rate, second_stress, strain_of_stress,
+};
+use std::f64::consts::TAU;
+
+/// Length and height of the plate of Gray, Monaghan and Swift (2001) \[m\].
+const PLATE: [f64; 2] = [0.2, 0.02];
+
+/// T/T_thin of the clamped plate, and the relative change of total energy, `cells` over the height.
+fn plate(cells: usize, ratio: f64) -> (f64, f64) {
+    let moduli = IsotropicModuli::from_bulk_and_shear(3.25e6, 7.15e5).unwrap();
+    let material = Material::elastic(moduli, 1000.0).unwrap();
+    let spacing = PLATE[1] / cells as f64;
+    let clamp = 4;
+    let low = [-(clamp as f64) * spacing, -0.5 * PLATE[1]];
+    let positions = lattice(low, [10 * cells + clamp, cells], spacing);
+    let mut scene = Scene::new(positions, spacing, ratio, material, Controls::for_dimension(2));
+    for (position, free) in scene.positions.iter().zip(&mut scene.free) {
+        if position.x < 0.0 {
+            *free = Vector2::zeros();
+        }
+    }
+    let dt = scene.body.stable_step(0.6);
+    let amplitude = 1e-3 * (3.25e6_f64 / 1000.0).sqrt();
+    let half = scene.half_period(|x| Vector2::new(0.0, first_mode(x.x / PLATE[0])), amplitude, dt, 0.25);
+    let start: f64 = 0.5
+        * (0..scene.positions.len())
+            .map(|i| {
+                let speed = amplitude * first_mode(scene.positions[i].x / PLATE[0]) * scene.free[i].y;
+                scene.body.masses()[i] * speed * speed
+            })
+            .sum::<f64>();
+    let energy: f64 = scene.energies().iter().sum();
+    (2.0 * half / 0.254_13, energy / start - 1.0)
+}
+
+/// First mode of a cantilever beam, 1 at the tip (x = 1).
+fn first_mode(x: f64) -> f64 {
+    let k: f64 = 1.875_104_068_711_961;
+    let ratio = (k.cos() + k.cosh()) / (k.sin() + k.sinh());
+    let shape = |x: f64| (k * x).cosh() - (k * x).cos() - ratio * ((k * x).sinh() - (k * x).sin());
+    shape(x.max(0.0)) / shape(1.0)
+}
+
+#[test]
+fn plate_swings_with_the_period_of_timoshenkos_beam() {
+    // Timoshenko's period is 1.0096 of the thin plate's.
+    for (cells, mark) in [(5, 0.13), (10, 0.04)] {
+        let (period, energy) = plate(cells, 0.8);
+        println!("plate, {cells} across: period {period:.4} of the thin plate's, energy {energy:.1e}");
+        assert!((period / 1.0096 - 1.0).abs() < mark, "{period} at {cells}");
+        assert!(energy.abs() < 1e-4, "{energy} at {cells}");
+    }
+}
+
+fn spinning_block(controls: Controls) -> (f64, f64) {
+    let spacing = 1e-3;
+    let positions = lattice([-5.0 * spacing; 2], [10, 10], spacing);
+    let mut scene = Scene::new(positions, spacing, 1.2, aluminium(0.0), controls);
+    let sound = (scene.body.masses()[0] / spacing.powi(2)).recip() * aluminium(0.0).solver_moduli().bulk_pa();
+    let spin = 0.035 * sound.sqrt() / (5.0 * spacing);
+    for (position, velocity) in scene.positions.iter().zip(&mut scene.velocities) {
+        *velocity = Vector2::new(-position.y, position.x) * spin;
+    }
+    let angular = |scene: &Scene<2>| -> f64 {
+        (0..100)
+            .map(|i| {
+                (scene.positions[i] + scene.displacements[i]).perp(&scene.velocities[i])
+                    * scene.body.masses()[i]
+            })
+            .sum()
+    };
+    let (momentum, energy): (f64, f64) = (angular(&scene), scene.energies().iter().sum());
+    let dt = scene.body.stable_step(0.6);
+    scene.run((2.0 * TAU / spin / dt) as usize, dt, 0.0);
+    let turned = scene.body.deformations()[55];
+    assert!((turned - Matrix2::identity()).norm() < 0.2, "it has turned twice: {turned}");
+    (angular(&scene) / momentum - 1.0, scene.energies().iter().sum::<f64>() / energy - 1.0)
+}
+
+#[test]
+fn a_free_spin_keeps_angular_momentum_and_energy() {
+    for hourglass in [0.0, 0.3] {
+        let (momentum, energy) = spinning_block(Controls { hourglass, viscosity: 0.0 });
+        println!("spin, hourglass {hourglass}: angular momentum {momentum:.1e}, energy {energy:.1e}");
+        assert!(momentum.abs() < 1e-8 && energy.abs() < 1e-4, "{momentum} {energy}");
+    }
+}
+
+#[test]
+fn stress_turns_with_the_body_for_ten_turns() {
+    let spacing = 1e-3;
+    let moduli = *aluminium(0.0).solver_moduli();
+    let stress = SymmetricTensor { in_plane: Matrix2::new(50e6, 20e6, 20e6, -30e6), out_of_plane: 10e6 };
+    let mut scene = Scene::new(
+        lattice([0.0; 2], [8, 8], spacing),
+        spacing,
+        1.2,
+        aluminium(0.0),
+        Controls::for_dimension(2),
+    );
+    scene.strains.fill(strain_of_stress(&stress, &moduli) * -1.0);
+    for turns in [0.0, 0.3, 5.2, 10.0] {
+        let rotation = *nalgebra::Rotation2::new(TAU * turns).matrix();
+        for (position, displacement) in scene.positions.iter().zip(&mut scene.displacements) {
+            *displacement = rotation * position - position;
+        }
+        scene.refresh();
+        let expected = rotation * stress.in_plane * rotation.transpose();
+        for found in scene.stresses() {
+            assert!((found.in_plane - expected).norm() < 1e-7 * 50e6, "{turns} turns");
+            assert!((found.out_of_plane - 10e6).abs() < 1e-7 * 50e6, "{turns} turns");
+        }
+    }
+}
+
+#[test]
+fn a_compressed_block_warms_as_gough_and_joule_say() {
+    // Uniaxial, -1e-3, in ten steps; the same with the opposite sign cools by 0.5754 K.
+    let spacing = 1e-3;
+    let mut scene = Scene::new(
+        lattice([0.0; 2], [8, 8], spacing),
+        spacing,
+        1.2,
+        aluminium(0.0),
+        Controls::for_dimension(2),
+    );
+    let bulk = aluminium(0.0).sound.real().bulk_pa();
+    for (sign, exact) in [(1.0, -0.5754), (-1.0, 0.5754)] {
+        let mut temperatures = vec![293.0; 64];
+        let mut volumes = vec![1.0; 64];
+        for step in 1..=10 {
+            let strain = sign * 1e-4 * f64::from(step);
+            for (position, displacement) in scene.positions.iter().zip(&mut scene.displacements) {
+                *displacement = Vector2::new(strain * position.x, 0.0);
+            }
+            scene.refresh();
+            for i in 0..64 {
+                let volume = scene.body.deformations()[i].determinant();
+                temperatures[i] += gough_joule_rate(
+                    bulk,
+                    23.1e-6,
+                    temperatures[i],
+                    (volume / volumes[i]).ln(),
+                    DENSITY,
+                    897.0,
+                );
+                volumes[i] = volume;
+            }
+        }
+        for temperature in temperatures {
+            assert!(((temperature - 293.0) / exact - 1.0).abs() < 2e-3, "{temperature}");
+        }
+    }
+}
+
+#[test]
+fn steps_up_to_h_over_the_wave_speed_are_stable() {
+    let spacing = 1e-3;
+    let grown = |factor: f64| {
+        let positions = lattice([0.0; 2], [10, 10], spacing);
+        let mut scene = Scene::new(positions, spacing, 1.2, aluminium(0.0), Controls::for_dimension(2));
+        for (k, velocity) in scene.velocities.iter_mut().enumerate() {
+            *velocity = Vector2::new((12.9 * k as f64).sin(), (7.7 * k as f64).cos()) * 1e-4;
+        }
+        let start: f64 = scene.energies().iter().sum();
+        let dt = scene.body.stable_step(factor);
+        scene.run(600, dt, 0.0);
+        scene.energies()[0] / start
+    };
+    assert!(grown(0.6) < 2.0 && grown(1.0) < 2.0);
+    assert!(grown(1.6) > 1e3 || grown(1.6).is_nan(), "the limit is where it should be");
+}
+
+#[test]
+fn a_bar_pulled_beyond_its_strength_flows_and_keeps_the_yield_stress() {
+    let mut material = aluminium(0.0);
+    material.yield_stress = Some(sph_solid::YieldStress::falling_to_zero(90e6, 293.0, 853.0).unwrap());
+    let spacing = 1e-3;
+    let strain_to = |temperature: f64, strain: f64| {
+        let positions = lattice([0.0; 2], [6, 6], spacing);
+        let mut scene = Scene::new(positions, spacing, 1.0, material.clone(), Controls::for_dimension(2));
+        scene.temperatures.fill(temperature);
+        for (position, displacement) in scene.positions.iter().zip(&mut scene.displacements) {
+            *displacement = Vector2::new(strain * position.x, -strain * position.y);
+        }
+        scene.refresh();
+        (scene.stresses()[14].von_mises(), scene.equivalents[14])
+    };
+    let (shear, elastic) = strain_to(293.0, 1e-4);
+    let expected = second_stress(
+        &SymmetricTensor { in_plane: Matrix2::new(1e-4, 0.0, 0.0, -1e-4), out_of_plane: 0.0 },
+        material.solver_moduli(),
+    );
+    assert!((shear / expected.von_mises() - 1.0).abs() < 1e-3 && elastic == 0.0);
+    let (flowing, plastic) = strain_to(573.0, 5e-3);
+    assert!((flowing / 45e6 - 1.0).abs() < 1e-2 && plastic > 4e-3, "{flowing} {plastic}");
+    let (molten, _) = strain_to(900.0, 5e-3);
+    // The return acts in the axes of the reference: what is left is strain times pressure.
+    assert!(molten < 1e-3 * 45e6, "{molten}");
+}

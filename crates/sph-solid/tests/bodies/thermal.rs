@@ -1,0 +1,192 @@
+//! Thermal stress against closed solutions of linear thermoelasticity (Timoshenko and Goodier 1970, chapter 13).
+
+use crate::scene::{Scene, ball, lattice};
+use crate::{DENSITY, POISSON, YOUNG, aluminium};
+use nalgebra::{SMatrix, SVector};
+use sph_solid::{Controls, ReducedSound, SymmetricTensor, pressure_wave_speed};
+
+const ALPHA: f64 = 23.1e-6;
+const SPACING: f64 = 1e-3;
+
+fn wave_speed() -> f64 {
+    pressure_wave_speed(aluminium(ALPHA).solver_moduli(), DENSITY)
+}
+
+fn scene<const D: usize>(positions: Vec<SVector<f64, D>>, ratio: f64) -> Scene<D> {
+    Scene::new(positions, SPACING, ratio, aluminium(ALPHA), Controls::for_dimension(D))
+}
+
+/// Largest stress over E alpha dT and largest error of the edges' strain of a freely expanding block.
+fn free_expansion<const D: usize>(ratio: f64, strain: f64) -> (f64, f64) {
+    let mut scene = scene(lattice([-4.0 * SPACING; D], [8; D], SPACING), ratio);
+    let warming = strain / ALPHA;
+    scene.temperatures.fill(293.0 + warming);
+    scene.relax(4.0 * SPACING, wave_speed());
+    scene.relax(4.0 * SPACING, wave_speed());
+    let stress = scene.stresses().iter().map(|s| s.in_plane.norm()).fold(0.0, f64::max) / (YOUNG * strain);
+    // In plane strain the held third axis adds Poisson's share.
+    let free = if D == 3 { strain.exp() - 1.0 } else { (1.0 + POISSON) * strain };
+    let edges = (0..scene.positions.len()).map(|i| {
+        let expected = scene.positions[i] * free;
+        (scene.displacements[i] - expected).norm() / expected.norm()
+    });
+    (stress, edges.fold(0.0, f64::max))
+}
+
+#[test]
+fn a_free_block_expands_without_stress_corners_included() {
+    for ratio in [0.8, 1.2] {
+        let (stress, strain) = free_expansion::<2>(ratio, 1e-3);
+        println!("2-D h/dx {ratio}: stress {stress:.1e} E alpha dT, strain {strain:.1e}");
+        assert!(stress < 1e-4 && strain < 3e-3);
+        let (stress, strain) = free_expansion::<3>(ratio, 1e-3);
+        println!("3-D h/dx {ratio}: stress {stress:.1e} E alpha dT, strain {strain:.1e}");
+        assert!(stress < 1e-4 && strain < 1e-4);
+    }
+}
+
+#[test]
+fn expansion_up_to_melting_is_as_the_density_says() {
+    let (stress, strain) = free_expansion::<3>(0.8, 0.0129);
+    assert!(stress < 1e-4 && strain < 1e-4, "{stress} {strain}");
+}
+
+/// Stress \[MPa\] in the middle of a body of `counts` cells, 4 layers of which are held at both ends of the first `held`
+/// axes, after a rise by `warming` \[K\].
+fn held<const D: usize>(counts: [usize; D], held: usize, warming: f64) -> SymmetricTensor<D> {
+    let half: [f64; D] = counts.map(|count| -0.5 * SPACING * count as f64);
+    let mut scene = scene(lattice(half, counts, SPACING), 0.8);
+    for (position, free) in scene.positions.iter().zip(&mut scene.free) {
+        for axis in 0..held {
+            if position[axis].abs() > -half[axis] - 4.0 * SPACING {
+                free[axis] = 0.0;
+            }
+        }
+    }
+    scene.temperatures.fill(293.0 + warming);
+    let longest = -half.iter().copied().fold(0.0, f64::min);
+    scene.relax(longest, wave_speed());
+    let stresses = scene.stresses();
+    let middle: Vec<usize> =
+        (0..stresses.len()).filter(|&i| scene.positions[i].norm() < 2.0 * SPACING).collect();
+    let sum = middle.iter().fold(SymmetricTensor::zero(), |sum, &i| sum + stresses[i]);
+    sum * (1e-6 / middle.len() as f64)
+}
+
+#[test]
+fn a_bar_held_at_its_ends() {
+    // Most of the difference at 100 K is finite strain, which linear theory leaves out.
+    for (warming, exact, mark) in [(100.0, -161.7, 0.01), (10.0, -16.17, 0.001)] {
+        let stress = held::<3>([20, 6, 6], 1, warming).in_plane[(0, 0)];
+        println!("bar {stress:.3} MPa, exact {exact}");
+        assert!((stress / exact - 1.0).abs() < mark, "{stress}");
+    }
+}
+
+#[test]
+fn a_plate_held_in_its_plane() {
+    // Plane strain holds the second axis.
+    let stress = held::<2>([20, 8], 1, 100.0);
+    let (along, across) = (stress.in_plane[(0, 0)], stress.out_of_plane);
+    println!("plate {along:.2} and {across:.2} MPa, exact -241.3");
+    assert!((along / -241.34 - 1.0).abs() < 0.01 && (across / -241.34 - 1.0).abs() < 0.01);
+}
+
+#[test]
+fn a_block_held_on_all_sides() {
+    let stress = held::<3>([6, 6, 6], 3, 100.0);
+    println!("block {:.2} MPa, exact -475.6", stress.trace() / 3.0);
+    assert!((stress.trace() / 3.0 / -475.6 - 1.0).abs() < 0.01);
+}
+
+#[test]
+fn reduced_sound_expands_alike_and_reports_true_stress() {
+    let run = |reduced: bool| {
+        let mut material = aluminium(ALPHA);
+        if reduced {
+            material.sound = ReducedSound::to_speed(*material.sound.real(), DENSITY, 50.0).unwrap();
+        }
+        let wave = pressure_wave_speed(material.solver_moduli(), DENSITY);
+        let positions = ball::<2>(5, SPACING);
+        let mut scene = Scene::new(positions, SPACING, 1.0, material, Controls::for_dimension(2));
+        for (position, temperature) in scene.positions.iter().zip(&mut scene.temperatures) {
+            *temperature += 50.0 * position.x / SPACING;
+        }
+        scene.relax(5.0 * SPACING, wave);
+        (scene.displacements[3], scene.stresses()[40])
+    };
+    let ((moved, stress), (moved_slowly, reported)) = (run(false), run(true));
+    assert!((moved - moved_slowly).norm() < 1e-9 * moved.norm());
+    assert!((stress.in_plane - reported.in_plane).norm() < 1e-9 * stress.out_of_plane.abs());
+    assert!((stress.out_of_plane / reported.out_of_plane - 1.0).abs() < 1e-9);
+}
+
+/// Relative L2 error of the in-plane stress over r < 0.85 R.
+fn error<const D: usize>(
+    scene: &Scene<D>,
+    radius: f64,
+    exact: impl Fn(&SVector<f64, D>) -> SMatrix<f64, D, D>,
+) -> f64 {
+    let (mut wrong, mut right) = (0.0, 0.0);
+    for (position, stress) in scene.positions.iter().zip(scene.stresses()) {
+        if position.norm() < 0.85 * radius {
+            wrong += (stress.in_plane - exact(position)).norm_squared();
+            right += exact(position).norm_squared();
+        }
+    }
+    f64::sqrt(wrong / right)
+}
+
+/// Radial and hoop stress as a tensor.
+fn radial<const D: usize>(position: &SVector<f64, D>, radial: f64, hoop: f64) -> SMatrix<f64, D, D> {
+    let outward = position.normalize();
+    SMatrix::identity() * hoop + outward * outward.transpose() * (radial - hoop)
+}
+
+/// Disc in plane strain, T = T1 exp(-r^2/w^2), w = 0.4 R, alpha T1 = 1e-3.
+fn disc_error(cells: usize, ratio: f64) -> f64 {
+    let (radius, rise) = (cells as f64 * SPACING, 1e-3 / ALPHA);
+    let width = 0.4 * radius;
+    let mut scene = scene(ball::<2>(cells, SPACING), ratio);
+    let profile = |r: f64| rise * (-(r / width).powi(2)).exp();
+    for (position, temperature) in scene.positions.iter().zip(&mut scene.temperatures) {
+        *temperature += profile(position.norm());
+    }
+    scene.relax(radius, wave_speed());
+    let mean = |r: f64| 0.5 * rise * (width / r).powi(2) * (1.0 - (-(r / width).powi(2)).exp());
+    let scale = ALPHA * YOUNG / (1.0 - POISSON);
+    error(&scene, radius, |x| {
+        let r = x.norm();
+        radial(x, scale * (mean(radius) - mean(r)), scale * (mean(radius) + mean(r) - profile(r)))
+    })
+}
+
+#[test]
+fn disc_with_a_hot_centre() {
+    for (cells, mark) in [(10, 0.04), (20, 0.016)] {
+        let error = disc_error(cells, 1.2);
+        println!("disc, {cells} over the radius: {:.2} %", 100.0 * error);
+        assert!(error < mark, "{error} at {cells}");
+    }
+}
+
+#[test]
+fn sphere_with_a_hot_centre() {
+    // T = T1 (1 - r^2/R^2): sigma_r = -0.4 S (1 - r^2/R^2), hoop S (-0.4 + 0.8 r^2/R^2), S = E alpha T1/(1 - nu).
+    let (radius, rise) = (8.0 * SPACING, 1e-3 / ALPHA);
+    let mut scene = scene(ball::<3>(8, SPACING), 0.8);
+    let square = |x: &SVector<f64, 3>| x.norm_squared() / (radius * radius);
+    for (position, temperature) in scene.positions.iter().zip(&mut scene.temperatures) {
+        *temperature += rise * (1.0 - square(position));
+    }
+    scene.relax(radius, wave_speed());
+    let scale = YOUNG * 1e-3 / (1.0 - POISSON);
+    let exact =
+        |x: &SVector<f64, 3>| radial(x, -0.4 * scale * (1.0 - square(x)), scale * (-0.4 + 0.8 * square(x)));
+    let error = error(&scene, radius, exact);
+    let stresses = scene.stresses();
+    let centre = scene.mean(|x| x.norm() < SPACING, |i| stresses[i].trace() / 3.0) / (-0.4 * scale);
+    println!("sphere, 8 over the radius: {:.2} %, centre {centre:.3} of exact", 100.0 * error);
+    assert!(error < 0.10, "{error}");
+    assert!((centre - 1.0).abs() < 0.03, "{centre}");
+}
