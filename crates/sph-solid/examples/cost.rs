@@ -6,7 +6,8 @@ use nalgebra::SVector;
 use sph_kernel::{Kernel, KernelKind};
 use sph_neighbors::{PairReach, SearchMethod, spatial_order};
 use sph_solid::{
-    Controls, Inelastic, IsotropicModuli, Material, Motion, ReferenceColumns, SymmetricTensor, TotalLagrangian,
+    Controls, Inelastic, IsotropicModuli, Material, Motion, ReferenceColumns, SymmetricTensor,
+    TotalLagrangian,
 };
 use std::time::Instant;
 
@@ -17,7 +18,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cells: usize = argument(1).map_or(Ok(46), |text| text.parse())?;
     let ratio: f64 = argument(2).map_or(Ok(0.8), |text| text.parse())?;
     let steps: u32 = argument(3).map_or(Ok(10), |text| text.parse())?;
-    let lattice = |k: usize| SVector::from([k % cells, k / cells % cells, k / cells / cells].map(|c| c as f64 * SPACING));
+    let lattice = |k: usize| {
+        SVector::from([k % cells, k / cells % cells, k / cells / cells].map(|c| c as f64 * SPACING))
+    };
     let mut positions: Vec<SVector<f64, 3>> = (0..cells.pow(3)).map(lattice).collect();
     let order = spatial_order(&positions, SPACING)?;
     order.apply(&mut positions);
@@ -27,6 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let columns = ReferenceColumns {
         positions: &positions,
         volumes: &vec![SPACING.powi(3); particles],
+        masses: &vec![2700.0 * SPACING.powi(3); particles],
         temperatures: &vec![293.0; particles],
         smoothing_lengths: &vec![ratio * SPACING; particles],
         list_starts: list.starts(),
@@ -34,10 +38,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let moduli = IsotropicModuli::from_young_and_poisson(70e9, 0.33)?;
     let material = Material::elastic(moduli, 2700.0)?;
-    let mut body = TotalLagrangian::new(&columns, KernelKind::Gaussian, material, Controls::for_dimension(3))?;
+    let mut body =
+        TotalLagrangian::new(&columns, KernelKind::Gaussian, material, Controls::for_dimension(3))?;
     let temperatures = vec![293.0; particles];
     let mut displacements = vec![SVector::zeros(); particles];
-    let mut velocities: Vec<_> = positions.iter().map(|x| SVector::from([0.1 * (300.0 * x.y).sin(), 0.0, 0.0])).collect();
+    let mut velocities: Vec<_> =
+        positions.iter().map(|x| SVector::from([0.1 * (300.0 * x.y).sin(), 0.0, 0.0])).collect();
     let mut accelerations = vec![SVector::zeros(); particles];
     let (mut strains, mut equivalents) = (vec![SymmetricTensor::zero(); particles], vec![0.0; particles]);
     let dt = body.stable_step(0.6);
@@ -57,7 +63,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let kept = body.stored_pairs() as f64 / (0.5 * list.pairs() as f64);
     println!(
         "{particles} particles, {neighbors:.1} neighbours, {kept:.2} of half the list stored: {:.2} million particle-steps a second, {:.0} million directed pairs a second",
-        1e-6 * rate, 2e-6 * rate * neighbors
+        1e-6 * rate,
+        2e-6 * rate * neighbors
     );
     Ok(())
 }

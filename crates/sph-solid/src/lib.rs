@@ -5,6 +5,7 @@ mod laws;
 mod moduli;
 mod tensor;
 mod total;
+mod updated;
 mod waves;
 
 pub use error::Error;
@@ -12,4 +13,5 @@ pub use laws::*;
 pub use moduli::IsotropicModuli;
 pub use tensor::SymmetricTensor;
 pub use total::*;
+pub use updated::*;
 pub use waves::{bar_speed, pressure_wave_speed, shear_wave_speed};

@@ -70,13 +70,11 @@ impl<const D: usize> TotalLagrangian<D> {
         controls.check()?;
         let reference = Reference::new(columns, kernel)?;
         let particles = columns.positions.len();
-        let mass =
-            |i: usize| columns.volumes[i] * material.expansion.reference_density(columns.temperatures[i]);
         let stretch = |&temperature: &f64| material.expansion.logarithmic_stretch(temperature);
         let viscous = if controls.viscosity > 0.0 { particles } else { 0 };
         Ok(Self {
             reference,
-            masses: (0..particles).map(mass).collect(),
+            masses: columns.masses.to_vec(),
             reference_stretches: columns.temperatures.iter().map(stretch).collect(),
             moved: vec![Lanes::default(); particles],
             speeds: vec![Lanes::default(); viscous],
@@ -88,7 +86,7 @@ impl<const D: usize> TotalLagrangian<D> {
         })
     }
 
-    /// Masses \[kg; kg/m in plane strain\]: reference volume times the unstressed density.
+    /// Masses \[kg; kg/m in plane strain\].
     #[must_use]
     pub fn masses(&self) -> &[f64] {
         &self.masses
@@ -136,17 +134,18 @@ impl<const D: usize> TotalLagrangian<D> {
         self.gather(motion);
         self.update_stresses(motion.temperatures, inelastic);
         self.sum_forces();
-        for i in 0..particles {
-            accelerations[i] = self.forces[i].vector::<D>() / self.masses[i];
-        }
+        let (forces, masses) = (&self.forces, &self.masses);
+        accelerations.par_iter_mut().with_min_len(BLOCK).enumerate().for_each(|(i, acceleration)| {
+            *acceleration = forces[i].vector::<D>() / masses[i];
+        });
     }
 
     /// Copies what pairs read into padded columns, densities and smoothing lengths beside.
     fn gather(&mut self, motion: &Motion<'_, D>) {
-        let reference = &self.reference;
-        for (i, moved) in self.moved.iter_mut().enumerate() {
-            *moved = Lanes::new(&motion.displacements[i], self.masses[i] * reference.inverse_volumes[i]);
-        }
+        let (reference, masses) = (&self.reference, &self.masses);
+        self.moved.par_iter_mut().with_min_len(BLOCK).enumerate().for_each(|(i, moved)| {
+            *moved = Lanes::new(&motion.displacements[i], masses[i] * reference.inverse_volumes[i]);
+        });
         for (i, speed) in self.speeds.iter_mut().enumerate() {
             *speed = Lanes::new(&motion.velocities[i], reference.smoothing_lengths[i]);
         }
@@ -173,14 +172,13 @@ impl<const D: usize> TotalLagrangian<D> {
                     deformations[k] = SMatrix::identity() + gradient;
                     let temperature = temperatures[i];
                     let stretch = point.stretch(temperature, reference_stretches[i]);
-                    let stress = point.update(
+                    let (stress, modulus) = point.update(
                         &deformations[k],
                         stretch,
                         temperature,
                         &mut strains[k],
                         &mut equivalents[k],
                     );
-                    let modulus = point.hourglass_modulus;
                     tensors[k] = columns(&(stress * correction - gradient * (0.5 * modulus)), modulus);
                 }
             });
@@ -262,8 +260,11 @@ impl<const D: usize> TotalLagrangian<D> {
         };
         let mut hourglass = 0.0;
         self.reference.links.for_each(|i, j, weight, both| {
-            let unseen = |k: usize| self.unseen(i, j, k, weight).norm_squared() * weight.scalar();
-            hourglass += 0.25 * point.hourglass_modulus * (unseen(i) + if both { unseen(j) } else { 0.0 });
+            let energy = |k: usize| {
+                let modulus = self.tensors[k][0].scalar();
+                0.25 * modulus * weight.scalar() * self.unseen(i, j, k, weight).norm_squared()
+            };
+            hourglass += energy(i) + if both { energy(j) } else { 0.0 };
         });
         ((0..self.masses.len()).map(elastic).sum(), hourglass)
     }

@@ -13,6 +13,9 @@ pub struct ReferenceColumns<'a, const D: usize> {
     pub positions: &'a [SVector<f64, D>],
     /// Reference volumes V_0 \[m^D\].
     pub volumes: &'a [f64],
+    /// Masses m \[kg; kg/m in plane strain\]: of an unstressed body V_0 rho_ref(T). They stay when a body that is under
+    /// stress gets a new reference, where m/V_0 is the present density.
+    pub masses: &'a [f64],
     /// Temperatures \[K\] at which the body has these positions.
     pub temperatures: &'a [f64],
     /// Smoothing lengths h \[m\]; a pair takes the mean of its two.
@@ -27,12 +30,14 @@ impl<const D: usize> ReferenceColumns<'_, D> {
     fn check(&self) -> Result<(), Error> {
         let particles = self.positions.len();
         require_length("volumes", self.volumes.len(), particles)?;
+        require_length("masses", self.masses.len(), particles)?;
         require_length("temperatures", self.temperatures.len(), particles)?;
         require_length("smoothing_lengths", self.smoothing_lengths.len(), particles)?;
         require_length("list_starts", self.list_starts.len(), particles + 1)?;
         require_length("list_neighbors", self.list_neighbors.len(), self.list_starts[particles])?;
         for i in 0..particles {
             require(self.volumes[i] > 0.0, "a volume", self.volumes[i], "positive")?;
+            require(self.masses[i] > 0.0, "a mass", self.masses[i], "positive")?;
             let length = self.smoothing_lengths[i];
             require(length > 0.0, "a smoothing length", length, "positive, in metres")?;
             self.check_row(i)?;
@@ -54,7 +59,7 @@ impl<const D: usize> ReferenceColumns<'_, D> {
                 return wrong("names the particle itself");
             }
             let mutual = self.list_starts[other] <= self.list_starts[other + 1]
-                && self.row(other).contains(&(particle as u32));
+                && holds(self.row(other), particle as u32);
             if !mutual {
                 return wrong("holds a pair that stands in one of its two rows only");
             }
@@ -65,6 +70,11 @@ impl<const D: usize> ReferenceColumns<'_, D> {
     fn row(&self, particle: usize) -> &[u32] {
         &self.list_neighbors[self.list_starts[particle]..self.list_starts[particle + 1]]
     }
+}
+
+/// Whether a row, usually an ascending one, names a particle.
+fn holds(row: &[u32], particle: u32) -> bool {
+    row.binary_search(&particle).is_ok() || row.contains(&particle)
 }
 
 /// Fixed pairs and corrections of a body.
@@ -113,6 +123,7 @@ mod tests {
         let columns = ReferenceColumns {
             positions: &positions,
             volumes,
+            masses: &[1.0; 2],
             temperatures: &[293.0; 2],
             smoothing_lengths: &[1.0; 2],
             list_starts: starts,

@@ -47,6 +47,7 @@ impl<const D: usize> Block<D> {
         let columns = ReferenceColumns {
             positions: &self.positions,
             volumes: &self.volumes,
+            masses: &self.volumes,
             temperatures: &vec![293.0; self.positions.len()],
             smoothing_lengths: &self.lengths,
             list_starts: self.list.starts(),

@@ -3,6 +3,8 @@
 mod motion;
 mod scene;
 mod thermal;
+mod updated;
+mod updated_scene;
 mod waves;
 
 use sph_solid::{IsotropicModuli, Material, ThermalExpansion};

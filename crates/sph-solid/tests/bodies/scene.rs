@@ -51,6 +51,7 @@ impl<const D: usize> Scene<D> {
         let columns = ReferenceColumns {
             positions: &positions,
             volumes: &vec![spacing.powi(D as i32); particles],
+            masses: &vec![material.expansion.reference_density(293.0) * spacing.powi(D as i32); particles],
             temperatures: &vec![293.0; particles],
             smoothing_lengths: &vec![length; particles],
             list_starts: list.starts(),
