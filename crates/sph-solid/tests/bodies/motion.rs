@@ -1,57 +1,17 @@
 //! Motion: bending, spin, and what must not change with them.
 
+use crate::material::{DENSITY, aluminium};
+use crate::plate;
 use crate::scene::{Scene, lattice};
-use crate::{DENSITY, aluminium};
 use nalgebra::{Matrix2, Vector2};
-use sph_solid::{
-    Controls, IsotropicModuli, Material, SymmetricTensor, gough_joule_rate, second_stress, strain_of_stress,
-};
+use sph_solid::{Controls, SymmetricTensor, gough_joule_rate, second_stress, strain_of_stress};
 use std::f64::consts::TAU;
-
-/// Length and height of the plate of Gray, Monaghan and Swift (2001) \[m\].
-const PLATE: [f64; 2] = [0.2, 0.02];
-
-/// T/T_thin of the clamped plate, and the relative change of total energy, `cells` over the height.
-fn plate(cells: usize, ratio: f64) -> (f64, f64) {
-    let moduli = IsotropicModuli::from_bulk_and_shear(3.25e6, 7.15e5).unwrap();
-    let material = Material::elastic(moduli, 1000.0).unwrap();
-    let spacing = PLATE[1] / cells as f64;
-    let clamp = 4;
-    let low = [-(clamp as f64) * spacing, -0.5 * PLATE[1]];
-    let positions = lattice(low, [10 * cells + clamp, cells], spacing);
-    let mut scene = Scene::new(positions, spacing, ratio, material, Controls::for_dimension(2));
-    for (position, free) in scene.positions.iter().zip(&mut scene.free) {
-        if position.x < 0.0 {
-            *free = Vector2::zeros();
-        }
-    }
-    let dt = scene.body.stable_step(0.6);
-    let amplitude = 1e-3 * (3.25e6_f64 / 1000.0).sqrt();
-    let half = scene.half_period(|x| Vector2::new(0.0, first_mode(x.x / PLATE[0])), amplitude, dt, 0.25);
-    let start: f64 = 0.5
-        * (0..scene.positions.len())
-            .map(|i| {
-                let speed = amplitude * first_mode(scene.positions[i].x / PLATE[0]) * scene.free[i].y;
-                scene.body.masses()[i] * speed * speed
-            })
-            .sum::<f64>();
-    let energy: f64 = scene.energies().iter().sum();
-    (2.0 * half / 0.254_13, energy / start - 1.0)
-}
-
-/// First mode of a cantilever beam, 1 at the tip (x = 1).
-fn first_mode(x: f64) -> f64 {
-    let k: f64 = 1.875_104_068_711_961;
-    let ratio = (k.cos() + k.cosh()) / (k.sin() + k.sinh());
-    let shape = |x: f64| (k * x).cosh() - (k * x).cos() - ratio * ((k * x).sinh() - (k * x).sin());
-    shape(x.max(0.0)) / shape(1.0)
-}
 
 #[test]
 fn plate_swings_with_the_period_of_timoshenkos_beam() {
     // Timoshenko's period is 1.0096 of the thin plate's.
     for (cells, mark) in [(5, 0.13), (10, 0.04)] {
-        let (period, energy) = plate(cells, 0.8);
+        let (period, energy) = plate::total(cells, 0.8);
         println!("plate, {cells} across: period {period:.4} of the thin plate's, energy {energy:.1e}");
         assert!((period / 1.0096 - 1.0).abs() < mark, "{period} at {cells}");
         assert!(energy.abs() < 1e-4, "{energy} at {cells}");

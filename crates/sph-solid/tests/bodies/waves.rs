@@ -1,7 +1,7 @@
 //! Speeds of elastic waves, from half periods of standing waves between free ends.
 
+use crate::material::{DENSITY, POISSON, YOUNG, aluminium};
 use crate::scene::{Scene, lattice};
-use crate::{DENSITY, POISSON, YOUNG, aluminium};
 use nalgebra::{SVector, Vector2, Vector3};
 use sph_solid::{Controls, bar_speed, pressure_wave_speed, shear_wave_speed};
 use std::f64::consts::PI;
