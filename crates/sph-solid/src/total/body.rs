@@ -131,6 +131,7 @@ impl<const D: usize> TotalLagrangian<D> {
         assert_eq!(inelastic.strains.len(), particles, "inelastic strains");
         assert_eq!(inelastic.equivalents.len(), particles, "equivalent plastic strains");
         assert_eq!(accelerations.len(), particles, "accelerations");
+        assert!(self.speeds.is_empty() || motion.velocities.len() == particles, "velocities");
         self.gather(motion);
         self.update_stresses(motion.temperatures, inelastic);
         self.sum_forces();

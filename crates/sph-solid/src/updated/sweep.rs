@@ -4,6 +4,7 @@ use super::rows::{
     DampingColumns, artificial_stress_acceleration, hourglass_viscosity, stress_acceleration,
     velocity_gradient, viscous_acceleration,
 };
+use crate::error::{Error, require};
 use crate::{
     ARTIFICIAL_STRESS_EXPONENT, ARTIFICIAL_STRESS_FACTOR, ArtificialViscosity, Material, SymmetricTensor,
     advanced_deviator, artificial_stress, density_ratio, midpoint_gradient, pressure, pressure_wave_speed,
@@ -63,6 +64,19 @@ impl<const D: usize> UpdatedControls<D> {
         let form = UpdatedForm::Corrected;
         Self { form, kernel, spacing, artificial_stress: 0.0, viscosity, hourglass_viscosity: 0.4 }
     }
+
+    fn check(&self) -> Result<(), Error> {
+        require(self.spacing > 0.0, "spacing", self.spacing, "positive, in metres")?;
+        for (name, value) in [
+            ("artificial_stress", self.artificial_stress),
+            ("viscosity alpha", self.viscosity.alpha),
+            ("viscosity beta", self.viscosity.beta),
+            ("hourglass_viscosity", self.hourglass_viscosity),
+        ] {
+            require(value >= 0.0, name, value, "zero or above")?;
+        }
+        Ok(())
+    }
 }
 
 /// What the caller owns and the sweep reads, one entry per particle.
@@ -109,10 +123,13 @@ pub struct UpdatedLagrangian<const D: usize> {
 
 impl<const D: usize> UpdatedLagrangian<D> {
     /// A body of `particles` particles.
-    #[must_use]
-    pub fn new(particles: usize, material: Material, controls: UpdatedControls<D>) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a spacing that is not positive or a coefficient that is negative.
+    pub fn new(particles: usize, material: Material, controls: UpdatedControls<D>) -> Result<Self, Error> {
+        controls.check()?;
         let zeros = vec![SMatrix::zeros(); particles];
-        Self {
+        Ok(Self {
             controls,
             material,
             volumes: vec![0.0; particles],
@@ -120,7 +137,7 @@ impl<const D: usize> UpdatedLagrangian<D> {
             gradients: zeros.clone(),
             tensors: zeros.clone(),
             repulsions: zeros,
-        }
+        })
     }
 
     /// Velocity gradients \[1/s\] at the end of the last step.
@@ -247,4 +264,24 @@ impl<const D: usize> UpdatedLagrangian<D> {
 /// The row of the list of particle `i`.
 fn neighbors<'a, const D: usize>(fields: &UpdatedFields<'a, D>, i: usize) -> &'a [u32] {
     &fields.list_neighbors[fields.list_starts[i]..fields.list_starts[i + 1]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::IsotropicModuli;
+    use sph_kernel::KernelKind;
+
+    #[test]
+    fn bad_controls_are_named() {
+        let kernel = KernelKind::WendlandC2.with_smoothing_length::<2>(1.0);
+        let moduli = IsotropicModuli::from_young_and_poisson(1.0, 0.3).unwrap();
+        let material = Material::elastic(moduli, 1.0).unwrap();
+        let message = |controls| {
+            UpdatedLagrangian::new(1, material.clone(), controls).map(|_| ()).unwrap_err().to_string()
+        };
+        let controls = UpdatedControls { artificial_stress: -0.3, ..UpdatedControls::paper(kernel, 1.0) };
+        assert_eq!(message(controls), "artificial_stress is -0.3, but must be zero or above");
+        assert!(message(UpdatedControls::corrected(kernel, 0.0)).starts_with("spacing is 0"));
+    }
 }

@@ -40,7 +40,7 @@ impl<const D: usize> UpdatedScene<D> {
             deviators: vec![SymmetricTensor::zero(); particles],
             equivalents: vec![0.0; particles],
             free: vec![SVector::repeat(1.0); particles],
-            body: UpdatedLagrangian::new(particles, material.clone(), controls),
+            body: UpdatedLagrangian::new(particles, material.clone(), controls).unwrap(),
             accelerations: vec![SVector::zeros(); particles],
             list: NeighborList::default(),
             listed: Vec::new(),
