@@ -38,8 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let moduli = IsotropicModuli::from_young_and_poisson(70e9, 0.33)?;
     let material = Material::elastic(moduli, 2700.0)?;
-    let mut body =
-        TotalLagrangian::new(&columns, KernelKind::Gaussian, material, Controls::for_dimension(3))?;
+    let mut body = TotalLagrangian::new(&columns, KernelKind::Gaussian, material, Controls::default())?;
     let temperatures = vec![293.0; particles];
     let mut displacements = vec![SVector::zeros(); particles];
     let mut velocities: Vec<_> =

@@ -14,7 +14,7 @@ mod scene;
 
 fn main() {
     for cells in [10, 20, 40] {
-        let error = round::disc_error(cells, 1.2);
+        let error = round::disc_error(cells, 0.8);
         println!("disc, {cells} over the radius: {:.2} % within 0.85 R", 100.0 * error);
     }
     let given: Vec<usize> = std::env::args().skip(1).filter_map(|text| text.parse().ok()).collect();

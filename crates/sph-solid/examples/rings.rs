@@ -11,10 +11,19 @@ mod scene;
 mod updated_scene;
 
 fn main() {
-    for artificial_stress in [0.3, 0.0] {
-        let (pieces, momentum, rebound) = rings::rings(artificial_stress, 0.012);
+    println!("poisson  speed/c0  artificial stress  pieces  rebound  momentum");
+    for (poisson, speed, artificial_stress) in [
+        (0.4, 0.059, 0.3),
+        (0.4, 0.059, 0.0),
+        (0.3975, 0.06, 0.3),
+        (0.3975, 0.12, 0.3),
+        (0.47, 0.06, 0.3),
+        (0.47, 0.12, 0.3),
+    ] {
+        let end = rings::collide(&rings::Rings { poisson, speed, artificial_stress });
         println!(
-            "artificial stress {artificial_stress}: {pieces} pieces, rebound {rebound:.2} of the speed, momentum {momentum:.0e}"
+            "{poisson:7}  {speed:8}  {artificial_stress:17}  {:6}  {:7.2}  {:.0e}",
+            end.pieces, end.rebound, end.momentum
         );
     }
 }

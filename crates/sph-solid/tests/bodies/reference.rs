@@ -32,7 +32,7 @@ fn body(
         list_starts: list.starts(),
         list_neighbors: list.indices(),
     };
-    TotalLagrangian::new(&columns, KernelKind::Gaussian, material, Controls::for_dimension(2)).unwrap()
+    TotalLagrangian::new(&columns, KernelKind::Gaussian, material, Controls::default()).unwrap()
 }
 
 /// Accelerations and stresses for one state.

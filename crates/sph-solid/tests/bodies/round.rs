@@ -8,7 +8,7 @@ use sph_solid::{Controls, pressure_wave_speed};
 const SPACING: f64 = 1e-3;
 
 fn scene<const D: usize>(positions: Vec<SVector<f64, D>>, ratio: f64) -> Scene<D> {
-    Scene::new(positions, SPACING, ratio, aluminium(ALPHA), Controls::for_dimension(D))
+    Scene::new(positions, SPACING, ratio, aluminium(ALPHA), Controls::default())
 }
 
 fn wave_speed() -> f64 {

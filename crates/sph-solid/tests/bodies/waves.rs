@@ -12,7 +12,7 @@ const LENGTH: f64 = CELLS as f64 * SPACING;
 
 /// Speed from the lowest mode cos(pi x/L) along `direction`: half a period is L/c.
 fn speed<const D: usize>(counts: [usize; D], direction: SVector<f64, D>, free: SVector<f64, D>) -> f64 {
-    let controls = Controls::for_dimension(D);
+    let controls = Controls::default();
     let positions = lattice([0.0; D], counts, SPACING);
     let mut scene = Scene::new(positions, SPACING, 0.8, aluminium(0.0), controls);
     scene.free.fill(free);
