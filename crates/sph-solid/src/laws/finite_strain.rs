@@ -3,7 +3,7 @@
 //! The energy of a unit of reference volume is theta^3 w(E_e), w = K/2 tr(E_e)^2 + mu dev(E_e) : dev(E_e), and the stresses
 //! below are its derivatives, so that forces from them keep energy. Plane strain: F_zz = 1.
 
-use super::small::determinant;
+use super::small::{determinant, inverse};
 use crate::{IsotropicModuli, SymmetricTensor};
 use nalgebra::SMatrix;
 
@@ -67,6 +67,22 @@ pub fn cauchy_stress<const D: usize>(
     SymmetricTensor {
         in_plane: deformation * second_stress.in_plane * deformation.transpose() * scale,
         out_of_plane: second_stress.out_of_plane * scale,
+    }
+}
+
+/// S = det F F^-1 sigma F^-T/theta \[Pa\]: the inverse of [`cauchy_stress`].
+#[inline]
+#[must_use]
+pub fn second_stress_of_cauchy<const D: usize>(
+    deformation: &SMatrix<f64, D, D>,
+    stretch: f64,
+    cauchy_stress: &SymmetricTensor<D>,
+) -> SymmetricTensor<D> {
+    let back = inverse(deformation);
+    let scale = determinant(deformation) / stretch;
+    SymmetricTensor {
+        in_plane: back * cauchy_stress.in_plane * back.transpose() * scale,
+        out_of_plane: cauchy_stress.out_of_plane * scale,
     }
 }
 
@@ -142,6 +158,9 @@ mod tests {
             let strain = SymmetricTensor { in_plane: Matrix2::new(xx, xy, xy, yy), out_of_plane };
             let back = strain_of_stress(&second_stress(&strain, &moduli()), &moduli());
             prop_assert!((back - strain).norm_squared().sqrt() < 1e-17);
+            let f = Matrix2::new(1.1, 0.2, -0.3, 0.9);
+            let again = second_stress_of_cauchy(&f, 1.02, &cauchy_stress(&f, 1.02, &strain));
+            prop_assert!((again - strain).norm_squared().sqrt() < 1e-17);
         }
 
         #[test]

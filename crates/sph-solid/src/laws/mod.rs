@@ -22,7 +22,8 @@ pub use artificial_stress::{
 pub use artificial_viscosity::ArtificialViscosity;
 pub use equation_of_state::{paper_pressure, pressure};
 pub use finite_strain::{
-    cauchy_stress, elastic_energy, elastic_strain, first_stress, second_stress, strain_of_stress,
+    cauchy_stress, elastic_energy, elastic_strain, first_stress, second_stress, second_stress_of_cauchy,
+    strain_of_stress,
 };
 pub use gough_joule::{gough_joule_rate, heat_capacity_at_constant_strain};
 pub use jaumann::{advanced_deviator, deviator_rate, strain_rate};

@@ -3,7 +3,8 @@
 use super::lanes::Lanes;
 use super::material::{Controls, Material};
 use crate::{
-    ArtificialViscosity, SymmetricTensor, elastic_strain, first_stress, radial_return, second_stress,
+    ArtificialViscosity, SymmetricTensor, cauchy_stress, elastic_strain, first_stress, radial_return,
+    second_stress, second_stress_of_cauchy, strain_of_stress,
 };
 use nalgebra::SMatrix;
 
@@ -47,7 +48,8 @@ impl<'a> PointLaw<'a> {
     /// The first Piola-Kirchhoff stress \[Pa\], after a return to the yield stress if there is one, and the hourglass modulus
     /// \[Pa\].
     ///
-    /// The modulus falls with the secant one, sigma_y/(sigma_y + 3 mu e_p): else a body that has flowed unevenly would be
+    /// Yield acts on the Cauchy stress, whose pressure it leaves alone; what is taken off goes back to the axes of the
+    /// reference. The modulus falls with the secant one, sigma_y/(sigma_y + 3 mu e_p): else a body that has flowed unevenly would be
     /// held by the stiffness of modes that its plastic strain has left behind.
     #[inline]
     pub fn update<const D: usize>(
@@ -63,9 +65,12 @@ impl<'a> PointLaw<'a> {
         let mut stress = second_stress(&(elastic_strain(deformation, stretch) - *inelastic), moduli);
         if self.material.yield_stress.is_some() {
             let yield_pa = self.material.solver_yield_pa(temperature);
-            if let Some(step) = radial_return(&stress.deviator(), moduli.shear_pa(), yield_pa) {
-                stress = stress - step.strain * (2.0 * moduli.shear_pa());
-                *inelastic += step.strain;
+            let cauchy = cauchy_stress(deformation, stretch, &stress);
+            if let Some(step) = radial_return(&cauchy.deviator(), moduli.shear_pa(), yield_pa) {
+                let excess = step.strain * (2.0 * moduli.shear_pa());
+                let excess = second_stress_of_cauchy(deformation, stretch, &excess);
+                stress = stress - excess;
+                *inelastic += strain_of_stress(&excess, moduli);
                 *equivalent += step.equivalent;
             }
             if *equivalent > 0.0 {

@@ -1,5 +1,6 @@
 //! Bodies of particles against exact solutions; the cases in modules of their own are run by the examples too.
 
+mod hot_spot;
 mod material;
 mod motion;
 mod plate;
