@@ -50,7 +50,7 @@ pub struct TotalLagrangian<const D: usize> {
     moved: Vec<Lanes>,
     speeds: Vec<Lanes>,
     deformations: Vec<SMatrix<f64, D, D>>,
-    /// Sums for F, then P B - c/2 (F - 1) with c \[Pa\] as the scalar of the first column.
+    /// Sums for F, then P B - c/2 (F - 1) \[Pa\], c the hourglass modulus.
     tensors: Vec<Columns<D>>,
     forces: Vec<Lanes>,
 }
@@ -173,14 +173,15 @@ impl<const D: usize> TotalLagrangian<D> {
                     deformations[k] = SMatrix::identity() + gradient;
                     let temperature = temperatures[i];
                     let stretch = point.stretch(temperature, reference_stretches[i]);
-                    let (stress, modulus) = point.update(
+                    let stress = point.update(
                         &deformations[k],
                         stretch,
                         temperature,
                         &mut strains[k],
                         &mut equivalents[k],
                     );
-                    tensors[k] = columns(&(stress * correction - gradient * (0.5 * modulus)), modulus);
+                    let hourglass = gradient * (0.5 * point.hourglass_modulus);
+                    tensors[k] = columns(&(stress * correction - hourglass));
                 }
             });
     }
@@ -192,9 +193,9 @@ impl<const D: usize> TotalLagrangian<D> {
     fn sum_forces(&mut self) {
         let (links, moved, tensors, speeds) =
             (&self.reference.links, &self.moved, &self.tensors, &self.speeds);
+        let modulus = PointLaw::new(&self.material, &self.controls).hourglass_modulus;
         let pull = |i: usize, j: usize, weight: Lanes| {
             let (here, there) = (&tensors[i], &tensors[j]);
-            let modulus = 0.5 * (here[0].scalar() + there[0].scalar());
             let mut force = (moved[j] - moved[i]) * (modulus * weight.scalar());
             for axis in 0..D {
                 force = (here[axis] + there[axis]).times_plus(weight.0[axis], force);
@@ -261,11 +262,8 @@ impl<const D: usize> TotalLagrangian<D> {
         };
         let mut hourglass = 0.0;
         self.reference.links.for_each(|i, j, weight, both| {
-            let energy = |k: usize| {
-                let modulus = self.tensors[k][0].scalar();
-                0.25 * modulus * weight.scalar() * self.unseen(i, j, k, weight).norm_squared()
-            };
-            hourglass += energy(i) + if both { energy(j) } else { 0.0 };
+            let unseen = |k: usize| self.unseen(i, j, k, weight).norm_squared() * weight.scalar();
+            hourglass += 0.25 * point.hourglass_modulus * (unseen(i) + if both { unseen(j) } else { 0.0 });
         });
         ((0..self.masses.len()).map(elastic).sum(), hourglass)
     }

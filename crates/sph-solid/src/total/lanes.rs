@@ -46,10 +46,10 @@ impl Lanes {
 /// The columns of a matrix.
 pub(crate) type Columns<const D: usize> = [Lanes; D];
 
-/// The columns of `matrix`; `scalar` rides on the first.
+/// The columns of `matrix`, without scalars.
 #[inline]
-pub(crate) fn columns<const D: usize>(matrix: &SMatrix<f64, D, D>, scalar: f64) -> Columns<D> {
-    std::array::from_fn(|k| Lanes::new(&matrix.column(k).into_owned(), if k == 0 { scalar } else { 0.0 }))
+pub(crate) fn columns<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Columns<D> {
+    std::array::from_fn(|k| Lanes::new(&matrix.column(k).into_owned(), 0.0))
 }
 
 /// The matrix of these columns.
@@ -109,8 +109,7 @@ mod tests {
         let lanes = Lanes::new(&Vector3::new(1.0, 2.0, 3.0), 7.0);
         assert_eq!((lanes.vector::<3>(), lanes.scalar()), (Vector3::new(1.0, 2.0, 3.0), 7.0));
         let square = Matrix2::new(1.0, 2.0, 3.0, 4.0);
-        assert_eq!(matrix(&columns(&square, 9.0)), square);
-        assert_eq!(columns(&square, 9.0)[0].scalar(), 9.0);
+        assert_eq!(matrix(&columns(&square)), square);
     }
 
     #[test]
