@@ -1,9 +1,17 @@
 #![doc = include_str!("../README.md")]
 
 mod error;
+mod laws;
 mod moduli;
+mod tensor;
+mod total;
+mod updated;
 mod waves;
 
 pub use error::Error;
+pub use laws::*;
 pub use moduli::IsotropicModuli;
+pub use tensor::SymmetricTensor;
+pub use total::*;
+pub use updated::*;
 pub use waves::{bar_speed, pressure_wave_speed, shear_wave_speed};
