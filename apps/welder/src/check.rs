@@ -1,5 +1,6 @@
 //! `welder check`: what a case is before it is run.
 
+use crate::build::LevelPlan;
 use crate::case;
 use crate::cli::{CheckArguments, ExitStatus, refuse, say};
 use crate::model::{Model, ModelError};
@@ -17,6 +18,9 @@ const PAIRS_PER_SECOND: f64 = 5e8;
 
 /// Steps by the error estimate for each step by the laser's rule, a figure for a forecast.
 const STEPS_PER_RULE_STEP: f64 = 3.0;
+
+/// A part is advised to change its size by this share at most.
+const LARGEST_SIZE_CHANGE: f64 = 0.05;
 
 /// Checks the case of `arguments` and tells what it will be.
 pub fn command(arguments: &CheckArguments) -> ExitStatus {
@@ -47,6 +51,7 @@ fn describe(model: &Model, largest: u64) -> Result<Vec<String>, ModelError> {
         1e6 * model.spacing(),
         1e6 * model.spacing() * f64::from(1u32 << (plan.levels() - 1)),
     )];
+    lines.extend(slab_advice(model, &plan));
     if particles > largest {
         lines.push(format!(
             "  budget         too many: budget.max_particles is {largest}; the run will be refused"
@@ -62,6 +67,27 @@ fn describe(model: &Model, largest: u64) -> Result<Vec<String>, ModelError> {
         numbers(model).iter().map(|(name, value)| format!("{name} {value:.3}")).collect();
     lines.push(format!("  numbers        {}", named.join(", ")));
     Ok(lines)
+}
+
+/// Sizes that coarse blocks do not divide keep slabs of fine particles on the far faces: says what near sizes would save.
+fn slab_advice(model: &Model, plan: &LevelPlan<3>) -> Option<String> {
+    let counts = model.counts();
+    let rounded = |block: i64| counts.map(|count| ((count + block / 2) / block).max(1) * block);
+    let near = |sizes: &[i64; 3]| {
+        (0..3).all(|axis| {
+            (sizes[axis] - counts[axis]).abs() as f64 <= LARGEST_SIZE_CHANGE * counts[axis] as f64
+        })
+    };
+    let blocks = (1..plan.levels()).rev().map(|level| 1i64 << level);
+    let (block, sizes) = blocks.map(|block| (block, rounded(block))).find(|(_, sizes)| near(sizes))?;
+    let saved = LevelPlan::around(sizes, plan.finest_box()).count();
+    if plan.count() < saved + saved / 4 {
+        return None;
+    }
+    let sizes = sizes.map(|count| format!("{:.4e}", count as f64 * model.spacing())).join(", ");
+    Some(format!(
+        "  advice         a part of multiples of {block} spacings needs fewer particles: part.size_m: ({sizes}) takes {saved}"
+    ))
 }
 
 fn step_lines(model: &Model, heat: &Heat) -> String {

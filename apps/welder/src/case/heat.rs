@@ -94,9 +94,10 @@ pub enum EnthalpyCurve {
 pub enum Stepping {
     /// Stabilised explicit steps of many stages.
     SuperSteps {
-        /// Estimated error that one step may make, over the heat taken up so far (both root mean squares). Default: 0.05.
-        #[serde(default = "default_tolerance")]
-        tolerance: f64,
+        /// Estimated error that one step may make, over the heat taken up so far (both root mean squares). Default: the
+        /// program's choice, 0.05 under a laser, 0.02 after it, 0.001 without one.
+        #[serde(default)]
+        tolerance: Option<f64>,
         /// Most stages of one step, at least 3. Default: 60.
         #[serde(default = "default_max_stages")]
         max_stages: u32,
@@ -109,10 +110,6 @@ pub enum Stepping {
     },
 }
 
-fn default_tolerance() -> f64 {
-    0.05
-}
-
 fn default_max_stages() -> u32 {
     60
 }
@@ -123,6 +120,6 @@ fn default_euler_factor() -> f64 {
 
 impl Default for Stepping {
     fn default() -> Self {
-        Stepping::SuperSteps { tolerance: default_tolerance(), max_stages: default_max_stages() }
+        Stepping::SuperSteps { tolerance: None, max_stages: default_max_stages() }
     }
 }

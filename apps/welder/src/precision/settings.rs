@@ -52,10 +52,10 @@ pub(super) fn all() -> Vec<Setting> {
         setting("uniform spacing", |m| m.resolution.levels = Levels::Uniform),
         setting("Euler", |m| m.heat.stepping = Stepping::Euler { factor: 0.9 }),
         setting("tolerance 0.5", |m| {
-            m.heat.stepping = Stepping::SuperSteps { tolerance: 0.5, max_stages: 60 }
+            m.heat.stepping = Stepping::SuperSteps { tolerance: Some(0.5), max_stages: 60 }
         }),
         setting("tolerance 0.005", |m| {
-            m.heat.stepping = Stepping::SuperSteps { tolerance: 0.005, max_stages: 60 }
+            m.heat.stepping = Stepping::SuperSteps { tolerance: Some(0.005), max_stages: 60 }
         }),
     ]
 }
@@ -90,7 +90,7 @@ pub(super) fn spacings(model: &Model) -> Vec<f64> {
 /// The same case at half of its spacing with tighter steps.
 pub(super) fn reference(model: &Model) -> Model {
     let mut fine = at_spacing(model, 0.5 * model.spacing());
-    fine.heat.stepping = Stepping::SuperSteps { tolerance: 0.01, max_stages: 60 };
+    fine.heat.stepping = Stepping::SuperSteps { tolerance: Some(0.01), max_stages: 60 };
     fine
 }
 

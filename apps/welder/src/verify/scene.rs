@@ -75,7 +75,7 @@ const FINE_TOLERANCE: f64 = 1e-5;
 ///
 /// The program's default is made for welds, whose steps the laser limits; where there is no laser, it leaves 0.5 to 2 %.
 pub(super) fn fine_steps() -> Stepping {
-    Stepping::SuperSteps { tolerance: FINE_TOLERANCE, max_stages: 60 }
+    Stepping::SuperSteps { tolerance: Some(FINE_TOLERANCE), max_stages: 60 }
 }
 
 /// The first material at one temperature \[K\] everywhere.

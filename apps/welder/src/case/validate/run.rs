@@ -42,7 +42,9 @@ fn check_heat(findings: &mut Findings, field: &str, heat: &Heat) {
     let stepping = format!("{field}.stepping");
     match heat.stepping {
         Stepping::SuperSteps { tolerance, max_stages } => {
-            findings.within(&format!("{stepping}.tolerance"), tolerance, &TOLERANCE);
+            if let Some(tolerance) = tolerance {
+                findings.within(&format!("{stepping}.tolerance"), tolerance, &TOLERANCE);
+            }
             let fine = (3..=1000).contains(&max_stages);
             findings.require(
                 fine,

@@ -303,6 +303,7 @@ impl Physics<3> for Heat {
 
     fn advance(&mut self, particles: &mut Particles<3>, time: f64, step: f64) -> Result<f64, Failure> {
         let mut step = step;
+        self.step_size.begin(time);
         loop {
             let absorbed = self.light(time, step);
             let left = self.super_step(step);
@@ -311,7 +312,7 @@ impl Physics<3> for Heat {
             if !error.is_finite() && step <= self.step_size.smallest() {
                 return Err(self.failure(particles, time, "the enthalpy is no number any more"));
             }
-            match self.step_size.judge(step, error) {
+            match self.step_size.judge(time, step, error) {
                 Verdict::Accept => {
                     if let Some(deposit) = &self.deposit {
                         self.exchange.add(&deposit.audit(time, time + step, absorbed));

@@ -19,6 +19,12 @@ const LARGEST_GROWTH: f64 = 3.0;
 /// Steps up to this many Euler steps are always kept: three stages, and then the error of time is below that of space.
 const SHORTEST_IN_EULER_STEPS: f64 = 2.5;
 
+/// Estimated error that a step may make over the heat taken up so far, where the scene names none: under a laser, whose
+/// own rule holds the steps already; after it, when the pool freezes; and where there is no laser.
+const TOLERANCE_LIT: f64 = 0.05;
+const TOLERANCE_AFTER: f64 = 0.02;
+const TOLERANCE_WITHOUT_LASER: f64 = 1e-3;
+
 /// What to do with a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Verdict {
@@ -39,7 +45,10 @@ pub(super) struct State {
 
 /// Step control of heat: stability, the source's rule, and the estimated error.
 pub(super) struct StepSize {
+    /// Judges errors over their tolerance.
     controller: Option<StepController>,
+    /// The tolerance that the scene names.
+    tolerance: Option<f64>,
     /// Longest stable explicit Euler step \[s\].
     euler: f64,
     largest_stages: usize,
@@ -64,17 +73,19 @@ impl StepSize {
         laser: Option<&LaserSource>,
         euler: f64,
     ) -> Result<Self, ModelError> {
-        let (controller, largest_stages, stable) = match stepping {
+        let (tolerance, controller, largest_stages, stable) = match stepping {
             Stepping::SuperSteps { tolerance, max_stages } => {
                 // RKL2 takes odd numbers of stages, three at least.
                 let stages = (max_stages.max(3) as usize - 1) | 1;
                 let stages = if stages > max_stages.max(3) as usize { stages - 2 } else { stages };
-                (Some(StepController::new(tolerance, LARGEST_GROWTH)?), stages, max_step(stages, euler))
+                let controller = StepController::new(1.0, LARGEST_GROWTH)?;
+                (tolerance, Some(controller), stages, max_step(stages, euler))
             }
-            Stepping::Euler { factor } => (None, 1, factor * euler),
+            Stepping::Euler { factor } => (None, None, 1, factor * euler),
         };
         Ok(Self {
             controller,
+            tolerance,
             euler,
             largest_stages,
             stable,
@@ -100,11 +111,19 @@ impl StepSize {
         Some(Rkl2Coefficients::new(stages).expect("an odd number of stages, three at least"))
     }
 
+    /// Forgets what steps before `time` \[s\] proposed if the laser has just changed: the field next to it has no smooth past.
+    pub(super) fn begin(&mut self, time: f64) {
+        self.next = self.proposed(time);
+    }
+
+    fn proposed(&self, time: f64) -> f64 {
+        if self.events.contains(&time) { self.next.min(self.smallest()) } else { self.next }
+    }
+
     /// The longest step from `time` \[s\] and what limits it.
     pub(super) fn limit(&self, time: f64) -> StepLimit {
         // A laser that has just changed starts anew: the field next to it has no smooth past.
-        let changed = self.events.contains(&time);
-        let by_error = if changed { self.next.min(self.smallest()) } else { self.next };
+        let by_error = self.proposed(time);
         let rule = self.source.iter().find(|rule| time >= rule.from && time < rule.to);
         let stability = if self.controller.is_some() { "heat stages" } else { "heat Euler step" };
         let mut limits = vec![StepLimit { name: stability, dt_s: self.stable }];
@@ -125,21 +144,34 @@ impl StepSize {
         self.events.iter().copied().find(|&event| event > time)
     }
 
-    /// Judges a step of `step` \[s\] with the estimated relative error `error`.
-    pub(super) fn judge(&mut self, step: f64, error: f64) -> Verdict {
-        let shortest = self.smallest();
+    /// The tolerance of a step that starts at `time` \[s\].
+    fn tolerance_at(&self, time: f64) -> f64 {
+        self.tolerance.unwrap_or(match self.source.last() {
+            None => TOLERANCE_WITHOUT_LASER,
+            Some(last) if time >= last.to => TOLERANCE_AFTER,
+            Some(_) => TOLERANCE_LIT,
+        })
+    }
+
+    /// Judges a step of `step` from `time` \[s\] with the estimated relative error `error`.
+    pub(super) fn judge(&mut self, time: f64, step: f64, error: f64) -> Verdict {
+        let (shortest, tolerance) = (self.smallest(), self.tolerance_at(time));
         let Some(controller) = &mut self.controller else { return Verdict::Accept };
-        match controller.propose(step, error) {
+        match controller.propose(step, error / tolerance) {
             Decision::Accept { next_s } => {
-                // A step cut short by an event says nothing against a longer one.
-                self.next = next_s.max(shortest);
+                // A step that an event cut short says nothing against the longer one that was proposed before it.
+                let proposed = if step < self.next { self.next } else { shortest };
+                self.next = next_s.max(proposed).max(shortest);
                 Verdict::Accept
             }
             Decision::Reject { .. } if step <= shortest => {
                 self.next = shortest;
                 Verdict::Accept
             }
-            Decision::Reject { retry_s } => Verdict::Retry(retry_s.max(shortest)),
+            Decision::Reject { retry_s } => {
+                self.next = retry_s.max(shortest);
+                Verdict::Retry(self.next)
+            }
         }
     }
 
