@@ -129,6 +129,8 @@ struct Run {
     started: Instant,
     setup_s: f64,
     max_steps: u64,
+    /// Boiling point of the part's own material \[K\], where its card has one.
+    boiling: Option<f64>,
     /// Whether a fine box that turns out too small is widened instead of refused.
     may_grow: bool,
     stop: &'static AtomicBool,
@@ -177,6 +179,7 @@ impl Run {
             setup_s: started.elapsed().as_secs_f64(),
             started,
             max_steps: scene.budget.max_steps,
+            boiling: case.materials[0].card.boiling_k.as_ref().map(|boiling| boiling.value),
             may_grow: false,
             stop: interrupt_flag(),
             folder,
@@ -187,6 +190,7 @@ impl Run {
     fn go(&mut self, until: Option<f64>) -> Result<ExitStatus, RunError> {
         self.show(Moment::Init)?;
         let ending = self.time_loop(until)?;
+        self.warn_of_boiling();
         let audit = self.simulation.ledger().fault();
         let (status, exit) = match (ending, &audit) {
             (Ending::Failed, _) => (Status::Failed, ExitStatus::RunFailed),
@@ -246,6 +250,17 @@ impl Run {
             }
         }
         Ok(Ending::Done)
+    }
+
+    /// Conduction mode ends where the surface boils: the numbers are then those of a weld that does not exist.
+    fn warn_of_boiling(&self) {
+        let peak = self.simulation.records().peak_temperature;
+        if let Some(boiling) = self.boiling.filter(|&boiling| peak > boiling) {
+            tracing::warn!(
+                "the surface reached {peak:.0} K, above the boiling point of {boiling:.0} K: evaporation and a keyhole, \
+                 which are not computed, would change this weld"
+            );
+        }
     }
 
     /// What ends a run although the physics could go on.

@@ -266,21 +266,28 @@ impl Heat {
         if heated > 0.0 { (error / heated).sqrt() } else { error }
     }
 
-    fn accept(&mut self, particles: &mut Particles<3>, leaving: f64) {
+    /// Makes the end of the step the state; returns the lowest enthalpy \[J/kg\].
+    fn accept(&mut self, particles: &mut Particles<3>, leaving: f64) -> f64 {
+        let mut lowest = f64::INFINITY;
         let Columns { start, increment, .. } = &mut self.columns;
         for i in 0..particles.len() {
             let enthalpy = start[i] + increment[i];
             start[i] = enthalpy;
             particles.enthalpy[i] = enthalpy;
             particles.peak_enthalpy[i] = particles.peak_enthalpy[i].max(enthalpy);
+            lowest = lowest.min(enthalpy);
         }
         self.columns.increment.fill(0.0);
         self.leaving = leaving;
         std::mem::swap(&mut self.columns.conducted, &mut self.columns.conducted_end);
+        lowest
     }
 
     fn failure(&self, particles: &Particles<3>, time: f64, what: &str) -> Failure {
-        let wrong = |i: &usize| !(self.columns.start[*i] + self.columns.increment[*i]).is_finite();
+        let wrong = |i: &usize| {
+            let enthalpy = self.columns.start[*i] + self.columns.increment[*i];
+            !enthalpy.is_finite() || enthalpy < 0.0
+        };
         let at = (0..particles.len()).find(wrong).map(|i| particles.position[i].into());
         let advice =
             "try Normalized weights, a smoothing_ratio of 1.0, less disorder, or a smaller tolerance";
@@ -318,7 +325,9 @@ impl Physics<3> for Heat {
                         self.exchange.add(&deposit.audit(time, time + step, absorbed));
                     }
                     self.exchange.lost += left;
-                    self.accept(particles, leaving);
+                    if self.accept(particles, leaving) < 0.0 {
+                        return Err(self.failure(particles, time + step, "a particle is colder than 0 K"));
+                    }
                     return Ok(step);
                 }
                 Verdict::Retry(shorter) => {
