@@ -10,13 +10,13 @@ use std::ops::Range;
 use std::path::Path;
 
 const WIDTH: u32 = 900;
-const HEIGHT: u32 = 640;
-const HEAD: u32 = 128;
+const HEIGHT: u32 = 664;
+const HEAD: u32 = 152;
 const LEFT: u32 = 90;
 const EDGE: u32 = 12;
 const LINE: f64 = 2.0;
 const DOT: f64 = 7.0;
-const COLOURS: [RGBColor; 12] = [
+const COLOURS: [RGBColor; 14] = [
     RGBColor(20, 20, 20),
     RGBColor(200, 40, 40),
     RGBColor(30, 100, 200),
@@ -29,6 +29,8 @@ const COLOURS: [RGBColor; 12] = [
     RGBColor(110, 110, 110),
     RGBColor(140, 160, 0),
     RGBColor(80, 80, 200),
+    RGBColor(250, 190, 0),
+    RGBColor(120, 0, 0),
 ];
 
 /// One line of the picture.
