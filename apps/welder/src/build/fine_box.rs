@@ -66,11 +66,15 @@ pub fn lit_box(model: &Model) -> [[f64; 3]; 2] {
     lit
 }
 
-/// The box of finest cells around a pool that reaches from `low` to `high` \[m\], with its margin.
-pub fn fine_box_around(model: &Model, low: [f64; 3], high: [f64; 3]) -> CellBox<3> {
-    let spacing = model.spacing();
+/// How far the fine box ends beyond the pool \[m\].
+pub fn margin(model: &Model) -> f64 {
     let beam = model.laser.as_ref().map_or(0.0, |laser| laser.beam().radius_m());
-    let margin = (MARGIN_BEAM_RADII * beam).max(MARGIN_CELLS * spacing);
+    (MARGIN_BEAM_RADII * beam).max(MARGIN_CELLS * model.spacing())
+}
+
+/// The box of finest cells around a pool that reaches from `low` to `high` \[m\], with a margin \[m\] on all sides.
+pub fn fine_box_around(model: &Model, [low, high]: [[f64; 3]; 2], margin: f64) -> CellBox<3> {
+    let spacing = model.spacing();
     let (part_low, _) = model.bounds();
     let counts = model.counts();
     let down = |x: f64, axis: usize| {

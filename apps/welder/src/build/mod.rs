@@ -5,7 +5,7 @@ mod levels;
 mod pairs;
 mod workpiece;
 
-pub use fine_box::{fine_box_around, largest_melt_radius, lit_box};
+pub use fine_box::{fine_box_around, largest_melt_radius, lit_box, margin};
 pub use levels::{Cell, CellBox, LevelPlan};
 pub use pairs::{Neighborhood, PairReport, conduction_rows};
 pub use workpiece::{Workpiece, planes};

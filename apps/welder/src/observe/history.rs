@@ -93,6 +93,10 @@ impl HistoryWriter {
 }
 
 impl<const D: usize> Observer<D> for HistoryWriter {
+    fn is_due(&self, time_s: f64) -> bool {
+        self.schedule.is_due(time_s)
+    }
+
     fn init(&mut self, view: &View<D>) -> Result<(), ObserveError> {
         self.open((view.step > 0).then_some(view.time_s))?;
         if view.step == 0 { self.write(&view.history) } else { Ok(()) }

@@ -143,6 +143,11 @@ pub trait Observer<const D: usize> {
         None
     }
 
+    /// Whether it would use a view at `time_s`; a view that nobody uses is not made.
+    fn is_due(&self, time_s: f64) -> bool {
+        self.next_time_s().is_some_and(|due_s| time_s >= due_s)
+    }
+
     /// Called once before the first step, also of a resumed run.
     fn init(&mut self, view: &View<D>) -> Result<(), ObserveError>;
 

@@ -9,7 +9,7 @@ use crate::cli::{ExitStatus, RunArguments, refuse, say};
 use crate::model::{Model, ModelError};
 use crate::observe::{
     CheckpointError, CheckpointFolder, FrameWriter, HistoryWriter, ObserveError, Observer, PictureWriter,
-    Precision, Schedule, Status, case_digest, dossier, progress::Progress, whole_file,
+    Precision, Pulse, Schedule, Status, case_digest, dossier, progress::Progress, whole_file,
 };
 use crate::physics::Failure;
 use std::path::{Path, PathBuf};
@@ -308,13 +308,18 @@ impl Run {
         Ok(self.checkpoints.write(&self.simulation.save(self.digest, self.grown)?)?)
     }
 
-    /// Lets the observers look; fields and pictures are made only for those who need them.
+    /// Lets the observers look; views, fields and pictures are made only for those who need them.
     fn show(&mut self, moment: Moment) -> Result<(), RunError> {
         let time = self.simulation.time();
+        self.pulse();
+        let wants_pictures = self.pictures && self.picture_moment(moment);
+        let at_end = matches!(moment, Moment::Init | Moment::Finish);
+        if !at_end && !wants_pictures && !self.observers.iter().any(|observer| observer.is_due(time)) {
+            return Ok(());
+        }
         let framed =
             self.observers.iter().filter_map(|observer| observer.next_time_s()).any(|due| time >= due);
-        let wants_fields = self.frames && (framed || matches!(moment, Moment::Init | Moment::Finish));
-        let wants_pictures = self.pictures && self.picture_moment(moment);
+        let wants_fields = self.frames && (framed || at_end);
         let mut shown = Shown::default();
         if wants_fields {
             shown.fill(&self.simulation);
@@ -325,13 +330,22 @@ impl Run {
             match moment {
                 Moment::Init => observer.init(&view)?,
                 Moment::Finish => observer.finish(&view)?,
-                Moment::Step | Moment::LaserOff => {
-                    observer.stepped(&view.pulse());
-                    observer.every(&view)?;
-                }
+                Moment::Step | Moment::LaserOff => observer.every(&view)?,
             }
         }
         Ok(())
+    }
+
+    /// Tells the observers the time.
+    fn pulse(&mut self) {
+        let pulse = Pulse {
+            time_s: self.simulation.time(),
+            end_s: self.simulation.model().end,
+            step: self.simulation.steps(),
+            dt_s: self.last.step,
+            dt_limit: self.last.limit,
+        };
+        self.observers.iter_mut().for_each(|observer| observer.stepped(&pulse));
     }
 
     /// The pool is largest when the laser goes off; a run that does not get there shows its last state.

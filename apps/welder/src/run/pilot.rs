@@ -1,12 +1,18 @@
 //! Where to be fine: a coarse run of the scene itself finds out how large the pool gets.
 
 use super::Simulation;
-use crate::build::{CellBox, LevelPlan, fine_box_around, largest_melt_radius, lit_box};
-use crate::case::scene::{Face, Levels, Resolution};
+use crate::build::{CellBox, LevelPlan, fine_box_around, largest_melt_radius, lit_box, margin};
+use crate::case::scene::{Face, Levels, Resolution, Stepping};
 use crate::model::{Model, ModelError};
 
 /// Beam radii (1/e) to a spacing of the pilot.
 const PILOT_BEAM_RADII: f64 = 2.2;
+
+/// A pilot runs until this share of the time at which the laser goes off.
+const PILOT_TIME: f64 = 1.03;
+
+/// Tolerance of the pilot's steps.
+const PILOT_TOLERANCE: f64 = 0.2;
 
 /// A pilot is worth its cost only if it is this many times coarser than the run.
 const SMALLEST_COARSENING: i64 = 2;
@@ -26,10 +32,8 @@ pub fn level_plan(model: &Model, grown: f64) -> Result<LevelPlan<3>, ModelError>
         }
         Levels::Auto if model.laser.is_none() => Ok(LevelPlan::uniform(counts)),
         Levels::Auto => {
-            let [low, high] = pool_bounds(model)?;
-            let low = low.map(|x| x - grown);
-            let high = high.map(|x| x + grown);
-            Ok(LevelPlan::around(counts, fine_box_around(model, low, high)))
+            let fine = fine_box_around(model, pool_bounds(model)?, margin(model) + grown);
+            Ok(LevelPlan::around(counts, fine))
         }
     }
 }
@@ -40,8 +44,9 @@ fn pool_bounds(model: &Model) -> Result<[[f64; 3]; 2], ModelError> {
     let Some(pilot) = pilot_model(model) else {
         return Ok(widened(lit, largest_melt_radius(model)));
     };
-    let fine = widened(lit_box(&pilot), largest_melt_radius(&pilot));
-    let plan = LevelPlan::around(pilot.counts(), fine_box_around(&pilot, fine[0], fine[1]));
+    // An upper bound needs no margin, least of all for an estimate.
+    let fine = fine_box_around(&pilot, lit_box(&pilot), largest_melt_radius(&pilot));
+    let plan = LevelPlan::around(pilot.counts(), fine);
     // A pilot that cannot be built or fails says nothing; the upper bound is right without it.
     let mut simulation = match Simulation::with_plan(pilot, &plan) {
         Ok(simulation) => simulation,
@@ -75,6 +80,12 @@ fn pilot_model(model: &Model) -> Option<Model> {
         return None;
     }
     let mut pilot = model.clone();
+    // Sizes are largest when the light goes out, or very soon after; loose steps find them well enough.
+    let lit = model.laser.as_ref()?.track().end_time();
+    pilot.end = model.end.min(PILOT_TIME * lit);
+    if let Stepping::SuperSteps { max_stages, .. } = model.heat.stepping {
+        pilot.heat.stepping = Stepping::SuperSteps { tolerance: Some(PILOT_TOLERANCE), max_stages };
+    }
     let spacing = model.spacing() * factor as f64;
     pilot.resolution =
         Resolution { spacing_m: spacing, disorder: 0.0, levels: Levels::Auto, ..model.resolution };
