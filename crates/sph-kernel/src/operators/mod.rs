@@ -8,6 +8,7 @@ mod laplacian;
 mod laplacian_moment;
 mod moment;
 mod summation;
+mod symmetric_eigen;
 
 pub use colour_gradient::colour_gradient;
 pub use gradient::gradient;
@@ -15,3 +16,4 @@ pub use laplacian::laplacian;
 pub use laplacian_moment::laplacian_moment;
 pub use moment::{moment, regularised_inverse};
 pub use summation::summation;
+pub use symmetric_eigen::symmetric_eigen;

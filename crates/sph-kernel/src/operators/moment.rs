@@ -1,10 +1,8 @@
 //! The first-moment matrix of a row and its regularised inverse.
 
+use super::symmetric_eigen;
 use crate::Row;
 use nalgebra::SMatrix;
-
-/// Sweeps of the cyclic Jacobi method: 3 x 3 matrices reach round-off in five or six.
-const JACOBI_SWEEPS: usize = 12;
 
 /// M_i = sum_j V_j (r_j - r_i) (x) grad_i W_ij = -sum_j V_j f_ij r_ij (x) r_ij \[-\]: symmetric, positive
 /// semi-definite, about the identity inside a body.
@@ -28,7 +26,7 @@ pub fn moment<const D: usize>(row: &Row<'_, D>, volumes: &[f64]) -> SMatrix<f64,
 /// zero. A particle alone or in a line therefore gets a finite B. Corners of blocks have l >= 0.14, so that B is the exact
 /// inverse there; a limit of 0.3 already spoils them (measured in trials of this project).
 ///
-/// Eigenvectors by cyclic Jacobi rotations with the small angle (Golub and Van Loan 2013, algorithm 8.5.1).
+/// Eigenvectors by [`symmetric_eigen`].
 pub fn regularised_inverse<const D: usize>(moment: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
     let limit = if D == 2 { 0.12 } else { 0.05 };
     let (eigenvalues, vectors) = symmetric_eigen(*moment);
@@ -46,50 +44,6 @@ fn faded_reciprocal(eigenvalue: f64, limit: f64) -> f64 {
     }
     let x = (eigenvalue / limit).max(0.0);
     x * x * (4.0 - 3.0 * x) / limit
-}
-
-/// Eigenvalues and, as columns, eigenvectors of a symmetric matrix.
-fn symmetric_eigen<const D: usize>(mut matrix: SMatrix<f64, D, D>) -> ([f64; D], SMatrix<f64, D, D>) {
-    let mut vectors = SMatrix::identity();
-    for _ in 0..JACOBI_SWEEPS {
-        for p in 0..D {
-            for q in p + 1..D {
-                rotate(&mut matrix, &mut vectors, p, q);
-            }
-        }
-    }
-    (std::array::from_fn(|k| matrix[(k, k)]), vectors)
-}
-
-/// One rotation that makes entry (p, q) zero, by an angle of at most 45 degrees: the large one need not converge.
-fn rotate<const D: usize>(
-    matrix: &mut SMatrix<f64, D, D>,
-    vectors: &mut SMatrix<f64, D, D>,
-    p: usize,
-    q: usize,
-) {
-    if matrix[(p, q)] == 0.0 {
-        return;
-    }
-    let ratio = (matrix[(q, q)] - matrix[(p, p)]) / (2.0 * matrix[(p, q)]);
-    let tangent = ratio.signum() / (ratio.abs() + ratio.hypot(1.0));
-    let cosine = 1.0 / tangent.hypot(1.0);
-    let sine = tangent * cosine;
-    for k in 0..D {
-        let (at_p, at_q) = (matrix[(k, p)], matrix[(k, q)]);
-        matrix[(k, p)] = cosine * at_p - sine * at_q;
-        matrix[(k, q)] = sine * at_p + cosine * at_q;
-    }
-    for k in 0..D {
-        let (at_p, at_q) = (matrix[(p, k)], matrix[(q, k)]);
-        matrix[(p, k)] = cosine * at_p - sine * at_q;
-        matrix[(q, k)] = sine * at_p + cosine * at_q;
-        let (at_p, at_q) = (vectors[(k, p)], vectors[(k, q)]);
-        vectors[(k, p)] = cosine * at_p - sine * at_q;
-        vectors[(k, q)] = sine * at_p + cosine * at_q;
-    }
-    matrix[(p, q)] = 0.0;
-    matrix[(q, p)] = 0.0;
 }
 
 #[cfg(test)]

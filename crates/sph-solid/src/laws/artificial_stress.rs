@@ -1,7 +1,7 @@
 //! Artificial stress against the tensile instability of the updated-Lagrangian form.
 
-use super::principal::principal;
 use nalgebra::SMatrix;
+use sph_kernel::operators::symmetric_eigen;
 
 /// Factor epsilon of Gray, Monaghan and Swift (2001) \[-\].
 pub const ARTIFICIAL_STRESS_FACTOR: f64 = 0.3;
@@ -20,7 +20,7 @@ pub fn artificial_stress<const D: usize>(
     density: f64,
     factor: f64,
 ) -> SMatrix<f64, D, D> {
-    let (values, axes) = principal(*stress);
+    let (values, axes) = symmetric_eigen(*stress);
     let mut sum = SMatrix::zeros();
     for k in 0..D {
         let axis = axes.column(k).into_owned();

@@ -6,7 +6,6 @@ mod equation_of_state;
 mod finite_strain;
 mod gough_joule;
 mod jaumann;
-mod principal;
 mod radial_return;
 mod reduced_sound;
 mod rotation;
@@ -27,7 +26,6 @@ pub use finite_strain::{
 };
 pub use gough_joule::{gough_joule_rate, heat_capacity_at_constant_strain};
 pub use jaumann::{advanced_deviator, deviator_rate, strain_rate};
-pub use principal::principal;
 pub use radial_return::{PlasticStep, radial_return};
 pub use reduced_sound::ReducedSound;
 pub use rotation::{density_ratio, incremental_rotation, midpoint_gradient};
