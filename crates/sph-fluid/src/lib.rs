@@ -1,7 +1,11 @@
 #![doc = include_str!("../README.md")]
 
 mod error;
+mod laws;
 mod tait;
+#[cfg(test)]
+mod test_block;
 
 pub use error::Error;
+pub use laws::*;
 pub use tait::{Tait, tait_density, tait_pressure, tait_sound_speed};
