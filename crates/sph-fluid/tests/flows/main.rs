@@ -1,0 +1,5 @@
+//! Flows that the stand-alone sweep must reproduce.
+
+mod channel;
+mod series;
+mod start_up;
