@@ -21,7 +21,7 @@ const MARGIN: usize = 4;
 const SKIN: f64 = 0.9;
 
 pub struct Channel {
-    positions: Vec<Vector2<f64>>,
+    pub positions: Vec<Vector2<f64>>,
     velocities: Vec<Vector2<f64>>,
     densities: Vec<f64>,
     masses: Vec<f64>,
@@ -29,7 +29,7 @@ pub struct Channel {
     shifts: Vec<f64>,
     accelerations: Vec<Vector2<f64>>,
     list: NeighborList,
-    sweep: FluidSweep<2>,
+    pub sweep: FluidSweep<2>,
     dt: f64,
     time: f64,
 }
@@ -48,25 +48,11 @@ impl Channel {
             density_diffusion: 0.1,
             body_acceleration: Vector2::from(force),
         };
-        let site = |column: f64, row: f64| Vector2::new(column + 0.5, row + 0.5) * spacing;
-        let mut positions: Vec<_> =
-            (0..across * COLUMNS).map(|k| site((k % COLUMNS) as f64, (k / COLUMNS) as f64)).collect();
-        let fluid = positions.len();
+        let fluid = across * COLUMNS;
         let (copies, shifts) = images(across, COLUMNS as f64 * spacing);
-        positions.extend(copies.iter().zip(&shifts).map(|(&k, &shift)| {
-            let source: Vector2<f64> = site((k as usize % COLUMNS) as f64, (k as usize / COLUMNS) as f64);
-            source + Vector2::new(shift, 0.0)
-        }));
-        let walls = positions.len();
-        for row in 0..MARGIN {
-            for column in 0..COLUMNS + 2 * MARGIN {
-                let column = column as f64 - MARGIN as f64;
-                positions.push(site(column, -1.0 - row as f64));
-                positions.push(site(column, (across + row) as f64));
-            }
-        }
+        let positions = lattice(across, spacing, &copies, &shifts);
         let mut velocities = vec![Vector2::zeros(); positions.len()];
-        for k in walls..positions.len() {
+        for k in fluid + copies.len()..positions.len() {
             velocities[k].x = if positions[k].y > 0.5 * HEIGHT { upper_wall_speed } else { 0.0 };
         }
         let reach = PairReach::Uniform(2.0 * length + SKIN * spacing);
@@ -131,6 +117,24 @@ impl Channel {
             .map(|i| (self.velocities[i] - Vector2::new(profile(self.positions[i].y, self.time), 0.0)).norm())
             .fold(0.0, f64::max)
     }
+}
+
+/// Fluid, its copies, then both walls.
+fn lattice(across: usize, spacing: f64, copies: &[u32], shifts: &[f64]) -> Vec<Vector2<f64>> {
+    let site = |column: f64, row: f64| Vector2::new(column + 0.5, row + 0.5) * spacing;
+    let mut positions: Vec<_> =
+        (0..across * COLUMNS).map(|k| site((k % COLUMNS) as f64, (k / COLUMNS) as f64)).collect();
+    for (&source, &shift) in copies.iter().zip(shifts) {
+        positions.push(positions[source as usize] + Vector2::new(shift, 0.0));
+    }
+    for row in 0..MARGIN {
+        for column in 0..COLUMNS + 2 * MARGIN {
+            let column = column as f64 - MARGIN as f64;
+            positions.push(site(column, -1.0 - row as f64));
+            positions.push(site(column, (across + row) as f64));
+        }
+    }
+    positions
 }
 
 /// Sources and shifts along x of the copies on both sides.
