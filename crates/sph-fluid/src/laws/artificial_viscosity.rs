@@ -34,7 +34,7 @@ pub fn artificial_acceleration<const D: usize>(
 
 /// nu = alpha c h/(4 (D + 2)) \[m^2/s\], the viscosity in shear that [`artificial_acceleration`] amounts to; report it.
 ///
-/// Half of the alpha c h/(2 (D + 2)) of Monaghan (2005, section 8.2): his holds where receding pairs count as well.
+/// Half of the alpha c h/(2 (D + 2)) of Monaghan (2005): his holds where receding pairs count as well.
 #[inline]
 #[must_use]
 pub fn equivalent_viscosity<const D: usize>(

@@ -4,7 +4,7 @@ use super::Fields;
 use nalgebra::SVector;
 use sph_kernel::Row;
 
-/// 2 sum_b V_b (rho_a - rho_b) W'/r \[kg/m^5\] (Molteni and Colagrossi 2009, eq. 13); times delta h c the rate of rho_a.
+/// 2 sum_b V_b (rho_a - rho_b) W'/r \[kg/m^5\] (Molteni and Colagrossi 2009); times delta h c the rate of rho_a.
 ///
 /// `fluid_row` must hold fluid neighbours only ([`leading_part`](crate::leading_part)): across a wall the term pumps the
 /// layer. Mass is kept: the sum of V times the rate is zero. It does not vanish for a hydrostatic density at a face.
@@ -21,7 +21,7 @@ pub fn plain_diffusion<const D: usize>(fluid_row: &Row<'_, D>, fields: &Fields<'
 }
 
 /// 2 sum_b V_b (rho_a - rho_b - (g_a + g_b).(r_a - r_b)/2) W'/r \[kg/m^5\] (Antuono, Colagrossi, Marrone and Molteni
-/// 2010, eq. 4); times delta h c the rate of rho_a.
+/// 2010); times delta h c the rate of rho_a.
 ///
 /// `density_gradients` g \[kg/m^4\] are the corrected (CSPM) gradients of the density over fluid neighbours. The term
 /// vanishes for a linear density, at faces too. `fluid_row` as in [`plain_diffusion`]; mass is kept as there.

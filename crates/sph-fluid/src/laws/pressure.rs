@@ -25,7 +25,7 @@ pub fn symmetric_pressure_acceleration<const D: usize>(
     sum
 }
 
-/// -(1/rho_a) sum_b V_b (p_a + p_b) grad_a W \[m/s^2\] (Colagrossi and Landrini 2003, eq. 8).
+/// -(1/rho_a) sum_b V_b (p_a + p_b) grad_a W \[m/s^2\] (Colagrossi and Landrini 2003).
 ///
 /// Equal and opposite in every pair, and with [`density_rate`](crate::density_rate) the work of the forces is the
 /// change of internal energy to round-off. Of a uniform pressure it is -2 p sum V grad W, the balance that surface

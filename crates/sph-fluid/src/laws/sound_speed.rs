@@ -4,7 +4,7 @@
 pub const SOUND_SPEED_RATIO: f64 = 10.0;
 
 /// c_0 = 10 max(v, sqrt(tau/(rho R)), sqrt(2 p/rho)) \[m/s\]: ten times the fastest of flow, capillary motion and what a
-/// pressure can drive (Morris, Fox and Zhu 1997, eqs. 10-13, for the argument; Morris 2000 for tension).
+/// pressure can drive (Morris, Fox and Zhu 1997, for the argument; Morris 2000 for tension).
 ///
 /// `largest_speed` v \[m/s\], `surface_tension` tau \[N/m\], `radius` R \[m\] of the smallest drop or pool, `largest_pressure`
 /// p \[Pa\], for example rho g H; zeros for what there is not.

@@ -2,15 +2,15 @@
 
 /// Share of h/(c + v) that a step takes \[-\]; 0.5 was stable and as accurate in trials.
 pub const ACOUSTIC_FACTOR: f64 = 0.25;
-/// Share of h^2/nu that a step takes \[-\] (Morris, Fox and Zhu 1997, eq. 31).
+/// Share of h^2/nu that a step takes \[-\] (Morris, Fox and Zhu 1997).
 pub const VISCOUS_FACTOR: f64 = 0.125;
-/// Share of sqrt(rho h^3/(2 pi tau)) that a step takes \[-\] (Morris 2000, eq. 33).
+/// Share of sqrt(rho h^3/(2 pi tau)) that a step takes \[-\] (Morris 2000).
 pub const CAPILLARY_FACTOR: f64 = 0.25;
-/// Share of sqrt(h/a) that a step takes \[-\] (Morris, Fox and Zhu 1997, eq. 30).
+/// Share of sqrt(h/a) that a step takes \[-\] (Morris, Fox and Zhu 1997).
 pub const FORCE_FACTOR: f64 = 0.25;
 
 /// 0.25 h/(c + v) \[s\] for the smoothing length h \[m\], the speed of sound c and the fastest particle v \[m/s\] (Morris,
-/// Fox and Zhu 1997, eq. 29, with the flow's own speed added).
+/// Fox and Zhu 1997, with the flow's own speed added).
 #[inline]
 #[must_use]
 pub fn acoustic_step(smoothing_length: f64, sound_speed: f64, largest_speed: f64) -> f64 {
@@ -26,7 +26,7 @@ pub fn viscous_step(smoothing_length: f64, kinematic_viscosity: f64) -> f64 {
 
 /// 0.25 sqrt(rho h^3/(2 pi tau)) \[s\] for the surface tension tau \[N/m\]; infinite without tension.
 ///
-/// The shortest capillary wave that h resolves must not cross h in a step (Brackbill, Kothe and Zemach 1992, eq. 61).
+/// The shortest capillary wave that h resolves must not cross h in a step (Brackbill, Kothe and Zemach 1992).
 #[inline]
 #[must_use]
 pub fn capillary_step(smoothing_length: f64, density: f64, surface_tension: f64) -> f64 {

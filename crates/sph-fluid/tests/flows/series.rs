@@ -1,4 +1,4 @@
-//! Start-up of flow between plates at rest and of flow dragged by one of them (Morris, Fox and Zhu 1997, eqs. 33 and 35).
+//! Start-up of flow between plates at rest and of flow dragged by one of them (Morris, Fox and Zhu 1997).
 
 use crate::channel::{Channel, HEIGHT, VISCOSITY};
 use std::f64::consts::PI;
