@@ -1,7 +1,13 @@
 #![doc = include_str!("../README.md")]
 
 mod error;
+mod laws;
+mod sweep;
 mod tait;
+#[cfg(test)]
+mod test_block;
 
 pub use error::Error;
+pub use laws::*;
+pub use sweep::{FluidControls, FluidFields, FluidSweep};
 pub use tait::{Tait, tait_density, tait_pressure, tait_sound_speed};

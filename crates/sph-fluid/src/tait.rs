@@ -68,6 +68,13 @@ impl Tait {
         tait_density(pressure_pa, self.reference_density, self.sound_speed_m_s, self.gamma)
     }
 
+    /// Speed of sound (m/s) at the reference density.
+    #[inline]
+    #[must_use]
+    pub fn reference_sound_speed(&self) -> f64 {
+        self.sound_speed_m_s
+    }
+
     /// Speed of sound (m/s) at a density (kg/m^3).
     #[inline]
     #[must_use]

@@ -1,0 +1,24 @@
+//! The laws of a row and of a point: no lists, no time.
+
+mod artificial_viscosity;
+mod continuity;
+mod density_diffusion;
+mod fields;
+mod pressure;
+mod sound_speed;
+mod step_limits;
+mod viscosity;
+mod wall;
+
+pub use artificial_viscosity::{artificial_acceleration, equivalent_viscosity};
+pub use continuity::density_rate;
+pub use density_diffusion::{corrected_diffusion, plain_diffusion};
+pub use fields::{Fields, leading_part};
+pub use pressure::{symmetric_pressure_acceleration, volume_pressure_acceleration};
+pub use sound_speed::{SOUND_SPEED_RATIO, artificial_sound_speed};
+pub use step_limits::{
+    ACOUSTIC_FACTOR, CAPILLARY_FACTOR, FORCE_FACTOR, VISCOUS_FACTOR, acoustic_step, capillary_step,
+    force_step, viscous_step,
+};
+pub use viscosity::viscous_acceleration;
+pub use wall::{WallState, wall_state, wall_velocity};

@@ -1,0 +1,89 @@
+//! Tests of the sweep on a free block.
+
+use super::*;
+use crate::test_block::Block;
+
+/// A list of all pairs among so many particles.
+fn all_pairs(particles: usize) -> (Vec<usize>, Vec<u32>) {
+    let starts = (0..=particles).map(|i| i * (particles - 1)).collect();
+    let others = |i: usize| (0..particles as u32).filter(move |&j| j as usize != i);
+    (starts, (0..particles).flat_map(others).collect())
+}
+
+fn controls() -> FluidControls<2> {
+    FluidControls {
+        kernel: Block::kernel(),
+        state: Tait::new(2.0, 20.0, 7.0).unwrap(),
+        dynamic_viscosity: 0.5,
+        artificial_viscosity: 0.1,
+        density_diffusion: 0.1,
+        body_acceleration: SVector::zeros(),
+    }
+}
+
+/// Densities and accelerations of a disordered block after an evaluation and a step of `dt_s`.
+fn evaluated(block: &Block<2>, controls: FluidControls<2>, dt_s: f64) -> (Vec<f64>, Vec<SVector<f64, 2>>) {
+    let (starts, neighbors) = all_pairs(block.positions.len());
+    let fields = FluidFields {
+        positions: &block.positions,
+        velocities: &block.velocities,
+        masses: &block.masses,
+        copies: &[],
+        list_starts: &starts,
+        list_neighbors: &neighbors,
+    };
+    let mut densities = block.densities.clone();
+    let mut accelerations = vec![SVector::zeros(); densities.len()];
+    let mut sweep = FluidSweep::new(controls).unwrap();
+    sweep.accelerations(&fields, &mut densities, 0.0, &mut accelerations);
+    assert_eq!(densities, block.densities);
+    sweep.accelerations(&fields, &mut densities, dt_s, &mut accelerations);
+    (densities, accelerations)
+}
+
+#[test]
+fn a_free_block_keeps_its_momentum() {
+    let block = Block::<2>::new(7, 0.2);
+    let (_, accelerations) = evaluated(&block, controls(), 1e-3);
+    assert!(block.relative_momentum(&accelerations) < 1e-15);
+    assert!(accelerations.iter().any(|found| found.norm() > 1.0));
+}
+
+#[test]
+fn density_advances_before_forces_by_continuity_and_diffusion() {
+    let block = Block::<2>::new(7, 0.2);
+    let without = FluidControls { density_diffusion: 0.0, ..controls() };
+    let (plain, _) = evaluated(&block, without, 1e-3);
+    let rates = block.map_rows(|row| density_rate(row, &block.fields()));
+    for i in 0..plain.len() {
+        assert!((plain[i] - block.densities[i] - 1e-3 * rates[i]).abs() < 1e-14);
+    }
+    // The forces are those of the new density: the same as of a block that starts with it.
+    let later = Block { densities: plain, ..Block::new(7, 0.2) };
+    let (_, expected) = evaluated(&later, without, 0.0);
+    assert_eq!(evaluated(&block, without, 1e-3).1, expected);
+    // Diffusion takes noise away.
+    let resting = Block { velocities: vec![SVector::zeros(); 49], ..Block::new(7, 0.2) };
+    let noise = |densities: &[f64]| densities.iter().map(|density| (density - 2.0).powi(2)).sum::<f64>();
+    let (smoothed, _) = evaluated(&resting, controls(), 1e-3);
+    assert!(noise(&smoothed) < 0.999 * noise(&resting.densities));
+}
+
+#[test]
+fn results_are_the_same_on_one_and_two_threads() {
+    let block = Block::<2>::new(9, 0.2);
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| evaluated(&block, controls(), 1e-3))
+    };
+    assert_eq!(on(1), on(2));
+}
+
+#[test]
+fn bad_controls_are_named() {
+    let message = |controls| FluidSweep::new(controls).map(|_| ()).unwrap_err().to_string();
+    let negative = FluidControls { dynamic_viscosity: -1.0, ..controls() };
+    assert_eq!(message(negative), "dynamic_viscosity is -1, but must be zero or above");
+    let falling = FluidControls { body_acceleration: SVector::from([0.0, f64::NAN]), ..controls() };
+    assert!(message(falling).starts_with("body_acceleration is NaN"));
+}
