@@ -60,6 +60,7 @@ fn describe(model: &Model, largest: u64) -> Result<Vec<String>, ModelError> {
     }
     let workpiece = crate::build::Workpiece::new(model, &plan);
     let heat = Heat::new(model, &workpiece)?;
+    lines.push(pair_line(&heat));
     lines.push(step_lines(model, &heat));
     lines.extend(power_lines(model));
     lines.extend(warnings(model));
@@ -88,6 +89,23 @@ fn slab_advice(model: &Model, plan: &LevelPlan<3>) -> Option<String> {
     Some(format!(
         "  advice         a part of multiples of {block} spacings needs fewer particles: part.size_m: ({sizes}) takes {saved}"
     ))
+}
+
+/// What the set-up of the pairs found.
+fn pair_line(heat: &Heat) -> String {
+    let fit = heat.report.fit.map_or_else(String::new, |fit| {
+        format!(
+            ", fitted to {:.1e} in {} iterations, {:.1} % of weights negative",
+            fit.residual,
+            fit.iterations,
+            100.0 * fit.negative_share
+        )
+    });
+    let patterns = 100.0 * heat.pattern_share();
+    format!(
+        "  pairs          h/dx {:.2}{fit}; {patterns:.0} % of rows in patterns",
+        heat.report.smoothing_ratio
+    )
 }
 
 fn step_lines(model: &Model, heat: &Heat) -> String {

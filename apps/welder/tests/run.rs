@@ -126,7 +126,7 @@ fn a_spent_step_budget_ends_with_3_and_a_dossier() {
 }
 
 #[test]
-fn melt_beyond_a_fine_box_of_the_scene_is_refused_and_one_of_the_program_grows() {
+fn melt_beyond_a_fine_box_of_the_scene_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let small = "resolution.levels=FineBox(low_m: (0, 0, -4e-4), high_m: (4e-4, 4e-4, 0))";
     let output = welder(folder.path(), &["--set", small]);

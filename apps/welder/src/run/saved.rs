@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 struct Saved {
     /// By how much the fine box was grown \[m\]: without it the particles would be others.
     grown: f64,
-    physics: Vec<Vec<u8>>,
+    /// The state of each physics, under its name.
+    physics: Vec<(String, Vec<u8>)>,
     gauge: (Vec<f64>, Vec<f64>),
     limits: BTreeMap<String, u64>,
     records: Records,
@@ -34,7 +35,7 @@ impl Simulation {
         };
         checkpoint.put_state(&Saved {
             grown,
-            physics: self.physics.iter().map(|physics| physics.save()).collect(),
+            physics: self.physics.iter().map(|p| (p.name().to_string(), p.save())).collect(),
             gauge: self.gauge.save(),
             limits: self.limits.clone(),
             records: self.records.clone(),
@@ -70,7 +71,10 @@ impl Simulation {
         }
         self.workpiece.particles.enthalpy = enthalpy;
         self.workpiece.particles.peak_enthalpy = peak_enthalpy;
-        for (physics, state) in self.physics.iter_mut().zip(&saved.physics) {
+        for (physics, (name, state)) in self.physics.iter_mut().zip(&saved.physics) {
+            if physics.name() != name {
+                return Err(wrong(format!("it holds {name} where the case has {}", physics.name())));
+            }
             physics.restore(&self.workpiece.particles, state).map_err(wrong)?;
         }
         self.gauge.restore(saved.gauge).map_err(wrong)?;

@@ -186,11 +186,6 @@ impl Simulation {
         total
     }
 
-    /// The physics of this scene.
-    pub fn physics(&self) -> &[Box<dyn Physics<3>>] {
-        &self.physics
-    }
-
     /// The energy ledger now.
     pub fn ledger(&self) -> Ledger {
         let mut exchange = Exchange::default();

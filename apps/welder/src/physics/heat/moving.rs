@@ -14,6 +14,7 @@ pub(super) struct MovingRows {
     moment: Vec<f64>,
     /// The particle that each copy shows.
     source: Vec<u32>,
+    pairs: usize,
 }
 
 /// Second moments of the rows.
@@ -59,7 +60,7 @@ impl MovingRows {
         let sweep = Sweep { owned, positions, smoothing_lengths, list, kernel };
         let mut own = vec![0.0; owned];
         sweep.run(&[&Moments { volume: &volume }], &mut own);
-        Self { moment: of_all(&own), sweep, volume, source: images.source }
+        Self { moment: of_all(&own), pairs: sweep.pairs(), sweep, volume, source: images.source }
     }
 
     /// Length of a column over particles and copies.
@@ -69,7 +70,7 @@ impl MovingRows {
 
     /// Directed pairs of one sweep.
     pub(super) fn pairs(&self) -> usize {
-        self.sweep.pairs()
+        self.pairs
     }
 
     /// Heat \[W\] that each particle receives at `potential` \[W/m\]; `seen` is a column over particles and copies to work in.
