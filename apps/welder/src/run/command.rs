@@ -100,7 +100,7 @@ fn run_growing(case: &Case, arguments: &RunArguments) -> Result<(Run, ExitStatus
                 );
                 resume = false;
             }
-            ended => return ended.map(|status| (run, status)),
+            ended => return run.end(ended),
         }
     }
     Err(RunError::FineBoxTooSmall)
@@ -186,6 +186,20 @@ impl Run {
         })
     }
 
+    /// Leaves a summary behind a run that could not write or go on, as far as there is room for one.
+    fn end(self, ended: Result<ExitStatus, RunError>) -> Result<(Self, ExitStatus), RunError> {
+        if ended.is_err() && self.write_summary(Status::Failed).is_err() {
+            tracing::error!("there is no room for a summary either");
+        }
+        ended.map(|status| (self, status))
+    }
+
+    fn write_summary(&self, status: Status) -> Result<(), RunError> {
+        let wall_s = self.started.elapsed().as_secs_f64();
+        let summary = summary(&self.simulation, status, wall_s, self.setup_s);
+        Ok(summary.write(&self.folder.join("summary.json"))?)
+    }
+
     /// Runs to the end, to `until`, or to an interruption, and writes the summary.
     fn go(&mut self, until: Option<f64>) -> Result<ExitStatus, RunError> {
         self.show(Moment::Init)?;
@@ -212,8 +226,7 @@ impl Run {
         if let Some(fault) = audit {
             tracing::error!("audit: {fault}");
         }
-        let wall_s = self.started.elapsed().as_secs_f64();
-        summary(&self.simulation, status, wall_s, self.setup_s).write(&self.folder.join("summary.json"))?;
+        self.write_summary(status)?;
         Ok(exit)
     }
 

@@ -1,0 +1,144 @@
+//! Runs that die: killed at any time, out of room, in folders that refuse. Nothing is lost silently, and what goes on
+//! afterwards has the bits of a run that never stopped.
+
+use rand::Rng;
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+use welder::observe::{Status, Summary};
+
+const SPOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/spot-aluminium");
+
+/// Kills to survive.
+const KILLS: usize = 50;
+
+/// A coarse spot with many checkpoints, that runs in a fraction of a second.
+fn welder(out: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_welder"));
+    command.args(["run", SPOT, "--quiet", "--threads", "1", "--set", "resolution.spacing_m=100e-6"]);
+    command.args(["--set", "output.checkpoint_interval_s=1e-3", "--set", "output.pictures=false"]);
+    command.arg("--out").arg(out).stdout(Stdio::null()).stderr(Stdio::null());
+    command
+}
+
+fn has_checkpoint(folder: &Path) -> bool {
+    let Ok(entries) = std::fs::read_dir(folder.join("checkpoint")) else { return false };
+    entries.filter_map(Result::ok).any(|entry| entry.path().extension().is_some_and(|end| end == "bin"))
+}
+
+/// Starts the run of a folder, or goes on with it where there is something to go on from.
+fn start(folder: &Path) -> Child {
+    let mut command = welder(folder);
+    if has_checkpoint(folder) {
+        command.arg("--resume");
+    }
+    command.spawn().expect("the program starts")
+}
+
+/// History and frames: the names with the bytes.
+fn results(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let frames = std::fs::read_dir(folder.join("frames")).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<_> = frames.filter(|path| path.extension().is_some_and(|end| end == "vtu")).collect();
+    files.extend(["history.csv", "frames.pvd"].map(|name| folder.join(name)));
+    files.sort();
+    let named = |path: std::path::PathBuf| {
+        (path.file_name().unwrap().to_string_lossy().into_owned(), std::fs::read(path).unwrap())
+    };
+    files.into_iter().map(named).collect()
+}
+
+#[test]
+fn a_run_killed_fifty_times_ends_with_the_bits_of_one_that_was_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let [whole, killed] = ["whole", "killed"].map(|name| folder.path().join(name));
+    let clock = Instant::now();
+    assert!(welder(&whole).status().unwrap().success());
+    let span = clock.elapsed();
+    let expected = results(&whole);
+    assert!(expected.len() > 10);
+    let mut random = Pcg64Mcg::seed_from_u64(50);
+    let (mut kills, mut ends) = (0, 0);
+    while kills < KILLS || ends == 0 {
+        let mut child = start(&killed);
+        // Later kills come ever sooner after the start, so that starting and resuming are hit as often as running.
+        let longest = if kills < KILLS { span.mul_f64(1.2) } else { Duration::from_secs(600) };
+        std::thread::sleep(longest.mul_f64(random.random_range(0.0..1.0_f64).powi(2)).min(span * 2));
+        if kills < KILLS && child.try_wait().unwrap().is_none() {
+            child.kill().unwrap();
+            child.wait().unwrap();
+            kills += 1;
+            continue;
+        }
+        assert!(child.wait().unwrap().success(), "after {kills} kills");
+        assert_eq!(results(&killed), expected, "after {kills} kills");
+        ends += 1;
+        std::fs::remove_dir_all(&killed).unwrap();
+    }
+    println!("{kills} kills, {ends} runs came to their end");
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("the program ends by itself")
+}
+
+/// A limit on the size of files stands for a full disk: the write fails in the middle.
+#[cfg(unix)]
+#[test]
+fn a_write_that_fails_ends_the_run_with_3_names_the_file_and_loses_no_checkpoint() {
+    let folder = tempfile::tempdir().unwrap();
+    let [whole, full] = ["whole", "full"].map(|name| folder.path().join(name));
+    assert!(welder(&whole).status().unwrap().success());
+    assert!(welder(&full).args(["--until", "0.004"]).status().unwrap().success());
+    let line = format!(
+        "trap '' XFSZ; ulimit -f 20; exec '{}' run '{SPOT}' --quiet --threads 1 --set resolution.spacing_m=100e-6 \
+         --set output.checkpoint_interval_s=1e-3 --set output.pictures=false --out '{}' --resume",
+        env!("CARGO_BIN_EXE_welder"),
+        full.display()
+    );
+    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(code(&output), 3, "{message}");
+    assert!(message.contains("cannot write") && message.contains(full.to_str().unwrap()), "{message}");
+    assert_eq!(Summary::read(&full.join("summary.json")).unwrap().status, Status::Failed);
+    assert!(welder(&full).arg("--resume").status().unwrap().success());
+    assert_eq!(results(&full), results(&whole));
+}
+
+#[test]
+fn a_folder_that_refuses_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    // A file in the folder's place refuses even the superuser.
+    std::fs::write(folder.path().join("file"), b"").unwrap();
+    let out = folder.path().join("file/out");
+    let output = welder(&out).stderr(Stdio::piped()).output().unwrap();
+    assert_eq!(code(&output), 3);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(message.contains("cannot create") && message.contains(out.to_str().unwrap()), "{message}");
+}
+
+#[test]
+fn damaged_checkpoints_are_passed_over_or_refused_and_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let [whole, out] = ["whole", "out"].map(|name| folder.path().join(name));
+    assert!(welder(&whole).status().unwrap().success());
+    assert!(welder(&out).args(["--until", "0.006"]).status().unwrap().success());
+    let mut files: Vec<_> =
+        std::fs::read_dir(out.join("checkpoint")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    assert_eq!(files.len(), 2);
+    let original: Vec<Vec<u8>> = files.iter().map(|file| std::fs::read(file).unwrap()).collect();
+    for (file, bytes) in files.iter().zip(&original) {
+        std::fs::write(file, &bytes[..bytes.len() / 2]).unwrap();
+    }
+    let output = welder(&out).arg("--resume").stderr(Stdio::piped()).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(code(&output), 3, "{message}");
+    assert!(message.contains("is damaged: trunc"), "{message}");
+    assert!(files.iter().all(|file| file.exists()), "a damaged checkpoint is evidence, and stays");
+    // One of the two whole: the run goes on from it.
+    std::fs::write(&files[0], &original[0]).unwrap();
+    assert!(welder(&out).arg("--resume").status().unwrap().success());
+    assert_eq!(results(&out), results(&whole));
+}
