@@ -2,6 +2,7 @@
 
 mod error;
 mod laws;
+mod surface;
 mod sweep;
 mod tait;
 #[cfg(test)]
@@ -9,5 +10,6 @@ mod test_block;
 
 pub use error::Error;
 pub use laws::*;
+pub use surface::*;
 pub use sweep::{FluidControls, FluidFields, FluidSweep};
 pub use tait::{Tait, tait_density, tait_pressure, tait_sound_speed};

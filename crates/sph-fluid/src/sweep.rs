@@ -2,13 +2,17 @@
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Tait, artificial_acceleration, corrected_diffusion, density_rate, leading_part,
+    Fields, Renewal, SurfaceBand, SurfaceTension, Tait, artificial_acceleration, corrected_diffusion,
+    corrected_pressure_acceleration, density_rate, leading_part, marangoni_force, tension_force,
     viscous_acceleration, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::SVector;
 use rayon::prelude::*;
-use sph_kernel::operators::{gradient, moment, regularised_inverse};
-use sph_kernel::{RowBuffer, ScaledKernel};
+use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inverse, summation};
+use sph_kernel::{Row, RowBuffer, ScaledKernel};
+
+/// |grad C| h below which a particle lies inside: there the corrected pressure gradient may stand for the pair force.
+const INSIDE: f64 = 0.05;
 
 /// Constants of the fluid and of the scheme.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,9 +29,36 @@ pub struct FluidControls<const D: usize> {
     pub density_diffusion: f64,
     /// Acceleration of every particle, for example gravity \[m/s^2\].
     pub body_acceleration: SVector<f64, D>,
+    /// Tension of a free surface; `None` where there is none, or where it does not matter.
+    pub surface_tension: Option<SurfaceTension>,
+    /// Exchange of the rows of a free surface; needed where a surface flows in a closed melt.
+    pub renewal: Option<Renewal>,
+    /// Whether the inside takes the corrected pressure gradient instead of the pair force: for deep melt that walls hold,
+    /// together with `renewal`. It does not keep momentum; free drops go without.
+    pub corrected_pressure: bool,
 }
 
 impl<const D: usize> FluidControls<D> {
+    /// A fluid with an equation of state and nothing else: no viscosity, diffusion, force or surface.
+    #[must_use]
+    pub fn new(kernel: ScaledKernel<D>, state: Tait) -> Self {
+        Self {
+            kernel,
+            state,
+            dynamic_viscosity: 0.0,
+            artificial_viscosity: 0.0,
+            density_diffusion: 0.0,
+            body_acceleration: SVector::zeros(),
+            surface_tension: None,
+            renewal: None,
+            corrected_pressure: false,
+        }
+    }
+
+    fn has_surface(&self) -> bool {
+        self.surface_tension.is_some() || self.renewal.is_some() || self.corrected_pressure
+    }
+
     fn check(&self) -> Result<(), Error> {
         for (name, value) in [
             ("dynamic_viscosity", self.dynamic_viscosity),
@@ -51,6 +82,8 @@ pub struct FluidFields<'a, const D: usize> {
     pub velocities: &'a [SVector<f64, D>],
     /// Masses \[kg; kg/m in 2-D\].
     pub masses: &'a [f64],
+    /// Temperatures \[K\] of all particles; read only where tension changes with temperature, and may be empty without.
+    pub temperatures: &'a [f64],
     /// For each copy (periodic images) the fluid particle that it shows.
     pub copies: &'a [u32],
     /// Where each particle's row starts in `list_neighbors`; one entry more than particles.
@@ -60,8 +93,9 @@ pub struct FluidFields<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> FluidFields<'a, D> {
+    /// The list of a particle.
     #[inline]
-    fn neighbors(&self, i: usize) -> &'a [u32] {
+    pub(crate) fn neighbors(&self, i: usize) -> &'a [u32] {
         &self.list_neighbors[self.list_starts[i]..self.list_starts[i + 1]]
     }
 }
@@ -81,6 +115,8 @@ pub struct FluidSweep<const D: usize> {
     /// Velocities that friction sees.
     seen: Vec<SVector<f64, D>>,
     density_gradients: Vec<SVector<f64, D>>,
+    surface: Option<SurfaceBand<D>>,
+    shifts: Vec<SVector<f64, D>>,
 }
 
 impl<const D: usize> FluidSweep<D> {
@@ -90,8 +126,34 @@ impl<const D: usize> FluidSweep<D> {
     /// [`Error::OutOfRange`] for a coefficient that is negative or a number that is not finite.
     pub fn new(controls: FluidControls<D>) -> Result<Self, Error> {
         controls.check()?;
-        let (rates, volumes, pressures) = (Vec::new(), Vec::new(), Vec::new());
-        Ok(Self { controls, rates, volumes, pressures, seen: Vec::new(), density_gradients: Vec::new() })
+        Ok(Self {
+            surface: controls.has_surface().then(|| SurfaceBand::new(controls.kernel)),
+            controls,
+            rates: Vec::new(),
+            volumes: Vec::new(),
+            pressures: Vec::new(),
+            seen: Vec::new(),
+            density_gradients: Vec::new(),
+            shifts: Vec::new(),
+        })
+    }
+
+    /// The free surface at the last evaluation, where the controls have one.
+    #[must_use]
+    pub fn surface(&self) -> Option<&SurfaceBand<D>> {
+        self.surface.as_ref()
+    }
+
+    /// What the caller adds to the velocities of the fluid for the next drift, and for nothing else \[m/s\]; empty without
+    /// renewal.
+    #[must_use]
+    pub fn shift_velocities(&self) -> &[SVector<f64, D>] {
+        &self.shifts
+    }
+
+    /// Replaces the acceleration of every particle \[m/s^2\].
+    pub fn set_body_acceleration(&mut self, body_acceleration: SVector<f64, D>) {
+        self.controls.body_acceleration = body_acceleration;
     }
 
     /// Pressures \[Pa\] of all particles at the last evaluation; of walls that of the fluid carried to them.
@@ -129,8 +191,14 @@ impl<const D: usize> FluidSweep<D> {
         copy_images(densities, fluid, fields.copies);
         self.measure_volumes(fields, densities);
         self.update_states(fields, densities, fluid);
+        if let Some(surface) = &mut self.surface {
+            let bends = self.controls.surface_tension.is_some_and(|tension| tension.pulls());
+            surface.measure(fields, &self.volumes, fluid, bends);
+        }
         self.sum_forces(fields, densities, accelerations);
         copy_images(&mut self.density_gradients, fluid, fields.copies);
+        self.add_surface_forces(fields, densities, accelerations);
+        self.measure_shifts(fields, fluid);
     }
 
     fn fit(&mut self, particles: usize, fluid: usize) {
@@ -149,9 +217,11 @@ impl<const D: usize> FluidSweep<D> {
 
     /// First pass: continuity over all neighbours, diffusion over fluid ones.
     fn measure_rates(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
-        let Self { controls, volumes, pressures, density_gradients, .. } = self;
+        let Self { controls, volumes, pressures, density_gradients, surface, .. } = self;
         let columns =
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
+        let (central, sound_speed) = (controls.kernel.value(0.0), controls.state.reference_sound_speed());
+        let renewal = controls.renewal.zip(surface.as_ref());
         let diffusivity = controls.density_diffusion
             * controls.kernel.smoothing_length()
             * controls.state.reference_sound_speed();
@@ -162,6 +232,13 @@ impl<const D: usize> FluidSweep<D> {
             if diffusivity > 0.0 {
                 let fluid_row = leading_part(&row, mobile);
                 *rate += diffusivity * corrected_diffusion(&fluid_row, &columns, density_gradients);
+            }
+            if let Some((renewal, surface)) = &renewal {
+                // Depths are those of the previous evaluation; before the first there are none.
+                let depth = surface.planes().get(i).map_or(f64::INFINITY, |plane| plane.1);
+                let (colour, length) = (surface.profile().colour(depth), controls.kernel.smoothing_length());
+                let summed = summation(&row, fields.masses, central);
+                *rate += renewal.density_rate(summed, colour, densities[i], sound_speed, length);
             }
         });
     }
@@ -203,15 +280,26 @@ impl<const D: usize> FluidSweep<D> {
         densities: &[f64],
         accelerations: &mut [SVector<f64, D>],
     ) {
-        let Self { controls, volumes, pressures, seen, density_gradients, .. } = self;
+        let Self { controls, volumes, pressures, seen, density_gradients, surface, .. } = self;
         let columns =
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
+        let inside = |i: usize| {
+            let length = controls.kernel.smoothing_length();
+            let deep = |surface: &SurfaceBand<D>| surface.gradients()[i].norm() * length < INSIDE;
+            controls.corrected_pressure && surface.as_ref().is_some_and(deep)
+        };
         let mobile = accelerations.len() + fields.copies.len();
         let sound_speed = controls.state.reference_sound_speed();
         let written = accelerations.par_iter_mut().zip(density_gradients.par_iter_mut()).enumerate();
         written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient))| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            *sum = controls.body_acceleration + volume_pressure_acceleration(&row, &columns);
+            *sum = controls.body_acceleration;
+            *sum += if inside(i) {
+                let inverse = regularised_inverse(&moment(&row, volumes));
+                corrected_pressure_acceleration(&row, &columns, &inverse)
+            } else {
+                volume_pressure_acceleration(&row, &columns)
+            };
             *sum += viscous_acceleration(&row, &columns, seen, controls.dynamic_viscosity);
             if controls.artificial_viscosity > 0.0 {
                 let coefficient = controls.artificial_viscosity;
@@ -224,10 +312,61 @@ impl<const D: usize> FluidSweep<D> {
             }
         });
     }
+
+    /// Third pass, over the surface only: tension and Marangoni force.
+    fn add_surface_forces(
+        &self,
+        fields: &FluidFields<'_, D>,
+        densities: &[f64],
+        accelerations: &mut [SVector<f64, D>],
+    ) {
+        let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
+            return;
+        };
+        let (kernel, volumes, profile) = (&self.controls.kernel, &self.volumes, surface.profile());
+        accelerations.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, sum)| {
+            let temperature = fields.temperatures.get(i).copied();
+            if tension.pulls() {
+                let tau = temperature.map_or(tension.reference(), |temperature| tension.at(temperature));
+                *sum += tension_force(tau, surface.curvatures()[i], &surface.gradients()[i]) / densities[i];
+            }
+            let (normal, depth) = &surface.planes()[i];
+            if tension.slope() != 0.0 && *depth < profile.support() {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+                let inverse = regularised_inverse(&moment(&row, volumes));
+                let slope = gradient(&row, volumes, fields.temperatures, &inverse);
+                let weight = profile.weight(depth.max(0.0));
+                *sum += marangoni_force(tension.slope(), weight, normal, &slope) / densities[i];
+            }
+        });
+    }
+
+    /// Shift velocities of the next drift.
+    fn measure_shifts(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
+        let Some((renewal, surface)) = self.controls.renewal.zip(self.surface.as_ref()) else { return };
+        let (kernel, profile) = (&self.controls.kernel, surface.profile());
+        let squares = fields.velocities[..fluid].iter().map(SVector::norm_squared);
+        let largest_speed = squares.fold(0.0, f64::max).sqrt();
+        let reference_density = self.controls.state.reference_density();
+        self.shifts.resize(fluid, SVector::zeros());
+        self.shifts.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, shift)| {
+            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+            let crowding = concentration_gradient(&row, fields.masses, reference_density);
+            let (normal, depth) = &surface.planes()[i];
+            let flat =
+                if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
+            *shift = renewal.shift_velocity(&crowding, &flat, kernel.smoothing_length(), largest_speed);
+        });
+    }
+}
+
+/// sum_b (m_b/rho_0) grad W \[1/m\].
+fn concentration_gradient<const D: usize>(row: &Row<'_, D>, masses: &[f64], density: f64) -> SVector<f64, D> {
+    colour_gradient(row, masses) / density
 }
 
 /// Gives each copy, stored behind the fluid, the value of the particle that it shows.
-fn copy_images<T: Copy>(column: &mut [T], fluid: usize, copies: &[u32]) {
+pub(crate) fn copy_images<T: Copy>(column: &mut [T], fluid: usize, copies: &[u32]) {
     for (k, &source) in copies.iter().enumerate() {
         column[fluid + k] = column[source as usize];
     }

@@ -68,6 +68,13 @@ impl Tait {
         tait_density(pressure_pa, self.reference_density, self.sound_speed_m_s, self.gamma)
     }
 
+    /// Density (kg/m^3) without pressure.
+    #[inline]
+    #[must_use]
+    pub fn reference_density(&self) -> f64 {
+        self.reference_density
+    }
+
     /// Speed of sound (m/s) at the reference density.
     #[inline]
     #[must_use]

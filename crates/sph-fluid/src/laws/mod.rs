@@ -5,6 +5,7 @@ mod continuity;
 mod density_diffusion;
 mod fields;
 mod pressure;
+mod renewal;
 mod sound_speed;
 mod step_limits;
 mod viscosity;
@@ -14,7 +15,10 @@ pub use artificial_viscosity::{artificial_acceleration, equivalent_viscosity};
 pub use continuity::density_rate;
 pub use density_diffusion::{corrected_diffusion, plain_diffusion};
 pub use fields::{Fields, leading_part};
-pub use pressure::{symmetric_pressure_acceleration, volume_pressure_acceleration};
+pub use pressure::{
+    corrected_pressure_acceleration, symmetric_pressure_acceleration, volume_pressure_acceleration,
+};
+pub use renewal::Renewal;
 pub use sound_speed::{SOUND_SPEED_RATIO, artificial_sound_speed};
 pub use step_limits::{
     ACOUSTIC_FACTOR, CAPILLARY_FACTOR, FORCE_FACTOR, VISCOUS_FACTOR, acoustic_step, capillary_step,

@@ -12,12 +12,10 @@ fn all_pairs(particles: usize) -> (Vec<usize>, Vec<u32>) {
 
 fn controls() -> FluidControls<2> {
     FluidControls {
-        kernel: Block::kernel(),
-        state: Tait::new(2.0, 20.0, 7.0).unwrap(),
         dynamic_viscosity: 0.5,
         artificial_viscosity: 0.1,
         density_diffusion: 0.1,
-        body_acceleration: SVector::zeros(),
+        ..FluidControls::new(Block::kernel(), Tait::new(2.0, 20.0, 7.0).unwrap())
     }
 }
 
@@ -28,6 +26,7 @@ fn evaluated(block: &Block<2>, controls: FluidControls<2>, dt_s: f64) -> (Vec<f6
         positions: &block.positions,
         velocities: &block.velocities,
         masses: &block.masses,
+        temperatures: &[],
         copies: &[],
         list_starts: &starts,
         list_neighbors: &neighbors,

@@ -40,13 +40,12 @@ impl Channel {
         let spacing = HEIGHT / across as f64;
         let length = 1.5 * spacing;
         let sound_speed = artificial_sound_speed(largest_speed, DENSITY, 0.0, 0.0, 0.0);
+        let kernel = KernelKind::WendlandC2.with_smoothing_length(length);
         let controls = FluidControls {
-            kernel: KernelKind::WendlandC2.with_smoothing_length(length),
-            state: Tait::new(DENSITY, sound_speed, 7.0).unwrap(),
             dynamic_viscosity: DENSITY * VISCOSITY,
-            artificial_viscosity: 0.0,
             density_diffusion: 0.1,
             body_acceleration: Vector2::from(force),
+            ..FluidControls::new(kernel, Tait::new(DENSITY, sound_speed, 7.0).unwrap())
         };
         let fluid = across * COLUMNS;
         let (copies, shifts) = images(across, COLUMNS as f64 * spacing);
@@ -104,6 +103,7 @@ impl Channel {
             positions: &self.positions,
             velocities: &self.velocities,
             masses: &self.masses,
+            temperatures: &[],
             copies: &self.copies,
             list_starts: self.list.starts(),
             list_neighbors: self.list.indices(),

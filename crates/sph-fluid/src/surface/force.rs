@@ -1,0 +1,47 @@
+//! The forces of surface tension and of its change with temperature.
+
+use nalgebra::SVector;
+
+/// tau kappa 2 grad C \[N/m^3\] (Brackbill, Kothe and Zemach 1992, for a colour that is one-sided and therefore doubled).
+///
+/// `colour_gradient` \[1/m\] is the plain sum, which points inwards; kappa > 0 of a drop pulls inwards.
+#[inline]
+#[must_use]
+pub fn tension_force<const D: usize>(
+    tension: f64,
+    curvature: f64,
+    colour_gradient: &SVector<f64, D>,
+) -> SVector<f64, D> {
+    colour_gradient * (2.0 * tension * curvature)
+}
+
+/// tau_T 2 w1 (I - N N) grad T \[N/m^3\], the change of tension along the surface spread over the depth.
+///
+/// `tension_slope` tau_T \[N/(m K)\], `plane_weight` w1(s) \[1/m\] of [`PlaneProfile`](super::PlaneProfile): its integral over the
+/// depth is one half, so that the force over an area is tau_T grad T whatever the row's own sums are. Hu and Eberhard (2015,
+/// eq. 18), with the surface delta that its second term needs.
+#[inline]
+#[must_use]
+pub fn marangoni_force<const D: usize>(
+    tension_slope: f64,
+    plane_weight: f64,
+    normal: &SVector<f64, D>,
+    temperature_gradient: &SVector<f64, D>,
+) -> SVector<f64, D> {
+    let along = temperature_gradient - normal * normal.dot(temperature_gradient);
+    along * (2.0 * tension_slope * plane_weight)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn tension_pulls_a_drop_together_and_marangoni_runs_along_the_surface() {
+        let inwards = Vector3::new(0.0, 0.0, -3.0);
+        assert_eq!(tension_force(0.5, 2.0, &inwards), Vector3::new(0.0, 0.0, -6.0));
+        let force = marangoni_force(-0.1, 4.0, &Vector3::z(), &Vector3::new(5.0, 0.0, 7.0));
+        assert!((force - Vector3::new(-4.0, 0.0, 0.0)).norm() < 1e-15);
+    }
+}

@@ -1,0 +1,6 @@
+//! Free surfaces that the stand-alone sweep must reproduce.
+
+mod drop;
+mod layer;
+mod patch;
+mod shapes;

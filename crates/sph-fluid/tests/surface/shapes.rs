@@ -1,0 +1,78 @@
+//! Bodies with known surfaces, and what the band measures of them.
+
+use crate::patch::Patch;
+use nalgebra::{SVector, Vector2};
+use sph_fluid::{FluidControls, SurfaceTension, Tait};
+use sph_kernel::KernelKind;
+
+/// Rings of particles about the origin, `across` spacings over the radius 1: positions and areas.
+pub fn rings(across: usize) -> (Vec<Vector2<f64>>, Vec<f64>) {
+    let (spacing, mut positions, mut areas) = (1.0 / across as f64, Vec::new(), Vec::new());
+    for ring in 0..across {
+        let radius = (ring as f64 + 0.5) * spacing;
+        let count = (std::f64::consts::TAU * (ring as f64 + 0.5)).round();
+        for k in 0..count as usize {
+            // Golden turns keep neighbouring rings from lining up.
+            let angle = std::f64::consts::TAU * (k as f64 / count + 0.381_966 * ring as f64);
+            positions.push(Vector2::new(angle.cos(), angle.sin()) * radius);
+            areas.push(std::f64::consts::TAU * radius * spacing / count);
+        }
+    }
+    (positions, areas)
+}
+
+/// Wendland C2 with h = 1.5 spacings, density and tension of one.
+pub fn tense<const D: usize>(spacing: f64, sound_speed: f64) -> FluidControls<D> {
+    let kernel = KernelKind::WendlandC2.with_smoothing_length(1.5 * spacing);
+    FluidControls {
+        density_diffusion: 0.1,
+        surface_tension: Some(SurfaceTension::new(1.0, 0.0, 0.0).unwrap()),
+        ..FluidControls::new(kernel, Tait::new(1.0, sound_speed, 7.0).unwrap())
+    }
+}
+
+/// Mean and root mean square of the error of curvature over the band, weighted with |grad C|, and the length of the
+/// surface over that of the circle.
+fn circle(across: usize) -> [f64; 3] {
+    let (positions, areas) = rings(across);
+    let spacing = 1.0 / across as f64;
+    let mut patch =
+        Patch::new(positions, areas.clone(), Vec::new(), spacing, f64::INFINITY, tense(spacing, 15.0));
+    patch.evaluate(0.0);
+    let surface = patch.sweep.surface().unwrap();
+    let weight = |i: usize| surface.gradients()[i].norm() * areas[i];
+    let band: Vec<usize> = (0..areas.len()).filter(|&i| surface.flags()[i]).collect();
+    let total: f64 = band.iter().map(|&i| weight(i)).sum();
+    let error = |i: usize| surface.curvatures()[i] - 1.0;
+    let mean = band.iter().map(|&i| weight(i) * error(i)).sum::<f64>() / total;
+    let square = band.iter().map(|&i| weight(i) * error(i).powi(2)).sum::<f64>() / total;
+    let length: f64 = (0..areas.len()).map(|i| 2.0 * weight(i)).sum::<f64>() / std::f64::consts::TAU;
+    [mean, square.sqrt(), length]
+}
+
+#[test]
+fn curvature_of_rings() {
+    for across in [10, 20, 40] {
+        let [mean, root, length] = circle(across);
+        println!("rings R/dx {across}: curvature {mean:+.4} mean, {root:.4} rms; length {length:.4}");
+        assert!(mean.abs() < 0.01 && root < 0.02, "{across}: {mean} {root}");
+    }
+}
+
+#[test]
+fn a_plane_has_its_area_and_no_curvature() {
+    let (rows, columns) = (12, 16);
+    let spacing = 1.0 / rows as f64;
+    let site = |k: usize| Vector2::new((k % columns) as f64 + 0.5, (k / columns) as f64 + 0.5) * spacing;
+    let positions: Vec<_> = (0..rows * columns).map(site).collect();
+    let areas = vec![spacing * spacing; positions.len()];
+    let period = columns as f64 * spacing;
+    let mut patch = Patch::new(positions, areas.clone(), Vec::new(), spacing, period, tense(spacing, 15.0));
+    patch.evaluate(0.0);
+    let surface = patch.sweep.surface().unwrap();
+    let length: f64 = (0..areas.len()).map(|i| 2.0 * surface.gradients()[i].norm() * areas[i]).sum();
+    // Two faces.
+    assert!((length / (2.0 * period) - 1.0).abs() < 0.01, "{length}");
+    assert!(surface.curvatures().iter().all(|kappa| kappa.abs() < 1e-9));
+    assert!(patch.accelerations.iter().all(|a: &SVector<f64, 2>| a.norm() < 1e-9));
+}
