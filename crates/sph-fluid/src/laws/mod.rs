@@ -1,6 +1,7 @@
 //! The laws of a row and of a point: no lists, no time.
 
 mod artificial_viscosity;
+mod conjugate;
 mod continuity;
 mod density_diffusion;
 mod fields;
@@ -12,6 +13,7 @@ mod viscosity;
 mod wall;
 
 pub use artificial_viscosity::{artificial_acceleration, equivalent_viscosity};
+pub use conjugate::{conjugate_colour_gradient, conjugate_pressure_acceleration, corrected_density_rate};
 pub use continuity::density_rate;
 pub use density_diffusion::{corrected_diffusion, plain_diffusion};
 pub use fields::{Fields, leading_part};

@@ -82,18 +82,16 @@ fn period(across: usize) -> f64 {
         before = now;
     }
     assert_eq!(crossings.len(), 7, "{crossings:?}");
-    println!("{:?}", crossings.windows(2).map(|w| 2.0 * (w[1] - w[0]) / exact).collect::<Vec<_>>());
     (crossings[6] - crossings[0]) / 3.0 / exact
 }
 
 #[test]
 fn a_drop_swings_with_the_period_of_rayleigh() {
-    for across in [10, 20, 24] {
+    // Measured 1.0277 and 1.0078; with plain gradients 1.0798 and 1.0385, and that at 20 would miss the mark of 3 %.
+    for (across, mark) in [(10, 0.03), (20, 0.01)] {
         let ratio = period(across);
         println!("oscillating drop R/dx {across}: period over Rayleigh's {ratio:.4}");
-        if across == 20 {
-            assert!((ratio - 1.0).abs() < 0.03, "{ratio}");
-        }
+        assert!((ratio - 1.0).abs() < mark, "{ratio}");
     }
 }
 

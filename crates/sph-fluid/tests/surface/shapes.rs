@@ -26,6 +26,7 @@ pub fn tense<const D: usize>(spacing: f64, sound_speed: f64) -> FluidControls<D>
     let kernel = KernelKind::WendlandC2.with_smoothing_length(1.5 * spacing);
     FluidControls {
         density_diffusion: 0.1,
+        corrected_gradients: true,
         surface_tension: Some(SurfaceTension::new(1.0, 0.0, 0.0).unwrap()),
         ..FluidControls::new(kernel, Tait::new(1.0, sound_speed, 7.0).unwrap())
     }
