@@ -3,17 +3,14 @@
 use crate::error::{Error, require};
 use crate::{
     Fields, Renewal, SurfaceBand, SurfaceTension, Tait, artificial_acceleration, conjugate_colour_gradient,
-    conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion,
-    corrected_pressure_acceleration, density_rate, leading_part, marangoni_force, tension_force,
-    viscous_acceleration, volume_pressure_acceleration, wall_state, wall_velocity,
+    conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate, leading_part,
+    marangoni_force, tension_force, viscous_acceleration, volume_pressure_acceleration, wall_state,
+    wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
 use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inverse, summation};
 use sph_kernel::{Row, RowBuffer, ScaledKernel};
-
-/// |grad C| h below which a particle lies inside: there the corrected pressure gradient may stand for the pair force.
-const INSIDE: f64 = 0.05;
 
 /// Constants of the fluid and of the scheme.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,12 +31,8 @@ pub struct FluidControls<const D: usize> {
     pub surface_tension: Option<SurfaceTension>,
     /// Exchange of the rows of a free surface; needed where a surface flows in a closed melt.
     pub renewal: Option<Renewal>,
-    /// Whether continuity and pressure take corrected gradients, exact at the free surface: twice the error of period less
-    /// for a drop, at the cost of a pass.
+    /// Whether continuity and pressure take corrected gradients, exact at the free surface, at the cost of a pass.
     pub corrected_gradients: bool,
-    /// Whether the inside takes the corrected pressure gradient instead of the pair force: for deep melt that walls hold,
-    /// together with `renewal`. It does not keep momentum; free drops go without.
-    pub corrected_pressure: bool,
 }
 
 impl<const D: usize> FluidControls<D> {
@@ -56,12 +49,11 @@ impl<const D: usize> FluidControls<D> {
             surface_tension: None,
             renewal: None,
             corrected_gradients: false,
-            corrected_pressure: false,
         }
     }
 
     fn has_surface(&self) -> bool {
-        self.surface_tension.is_some() || self.renewal.is_some() || self.corrected_pressure
+        self.surface_tension.is_some() || self.renewal.is_some()
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -310,24 +302,16 @@ impl<const D: usize> FluidSweep<D> {
         densities: &[f64],
         accelerations: &mut [SVector<f64, D>],
     ) {
-        let Self { controls, volumes, pressures, seen, density_gradients, surface, corrections, .. } = self;
+        let Self { controls, volumes, pressures, seen, density_gradients, corrections, .. } = self;
         let columns =
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
-        let inside = |i: usize| {
-            let length = controls.kernel.smoothing_length();
-            let deep = |surface: &SurfaceBand<D>| surface.gradients()[i].norm() * length < INSIDE;
-            controls.corrected_pressure && surface.as_ref().is_some_and(deep)
-        };
         let mobile = accelerations.len() + fields.copies.len();
         let sound_speed = controls.state.reference_sound_speed();
         let written = accelerations.par_iter_mut().zip(density_gradients.par_iter_mut()).enumerate();
         written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient))| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
             *sum = controls.body_acceleration;
-            *sum += if inside(i) {
-                let inverse = regularised_inverse(&moment(&row, volumes));
-                corrected_pressure_acceleration(&row, &columns, &inverse)
-            } else if corrections.is_empty() {
+            *sum += if corrections.is_empty() {
                 volume_pressure_acceleration(&row, &columns)
             } else {
                 conjugate_pressure_acceleration(&row, &columns, corrections)

@@ -17,9 +17,7 @@ pub use conjugate::{conjugate_colour_gradient, conjugate_pressure_acceleration, 
 pub use continuity::density_rate;
 pub use density_diffusion::{corrected_diffusion, plain_diffusion};
 pub use fields::{Fields, leading_part};
-pub use pressure::{
-    corrected_pressure_acceleration, symmetric_pressure_acceleration, volume_pressure_acceleration,
-};
+pub use pressure::{symmetric_pressure_acceleration, volume_pressure_acceleration};
 pub use renewal::Renewal;
 pub use sound_speed::{SOUND_SPEED_RATIO, artificial_sound_speed};
 pub use step_limits::{

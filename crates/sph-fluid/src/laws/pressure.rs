@@ -1,9 +1,8 @@
 //! The force of pressure.
 
 use super::Fields;
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 use sph_kernel::Row;
-use sph_kernel::operators::gradient;
 
 /// -sum_b m_b (p_a/rho_a^2 + p_b/rho_b^2) grad_a W \[m/s^2\], the form of the stress in Hu and Eberhard (2015, eq. 4);
 /// Monaghan (1992, eq. 3.3).
@@ -45,21 +44,6 @@ pub fn volume_pressure_acceleration<const D: usize>(
         sum -= row.separations[k] * (fields.volumes[b] * row.gradient_factors[k] * pressure);
     }
     sum / fields.densities[a]
-}
-
-/// -(1/rho_a) sum_b V_b (p_b - p_a) B_a grad_a W \[m/s^2\], exact for linear pressures (Randles and Libersky 1996 for B).
-///
-/// A uniform pressure makes no force wherever the particles are, so that melt under pressure does not jam; not equal and
-/// opposite in pairs, and not balanced with the force of tension: for the inside of a melt that a solid holds. Reads
-/// densities, volumes and pressures. `inverse_moment` B is that of the whole row.
-#[inline]
-#[must_use]
-pub fn corrected_pressure_acceleration<const D: usize>(
-    row: &Row<'_, D>,
-    fields: &Fields<'_, D>,
-    inverse_moment: &SMatrix<f64, D, D>,
-) -> SVector<f64, D> {
-    -gradient(row, fields.volumes, fields.pressures, inverse_moment) / fields.densities[row.index]
 }
 
 #[cfg(test)]

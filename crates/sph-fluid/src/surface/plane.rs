@@ -136,8 +136,9 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
     use sph_kernel::KernelKind;
+    use std::sync::LazyLock;
 
-    fn profiles() -> [PlaneProfile; 4] {
+    static PROFILES: LazyLock<[PlaneProfile; 4]> = LazyLock::new(|| {
         let (wendland, gaussian) = (KernelKind::WendlandC2, KernelKind::Gaussian);
         [
             PlaneProfile::new(&wendland.with_smoothing_length::<2>(0.3)),
@@ -145,11 +146,11 @@ mod tests {
             PlaneProfile::new(&gaussian.with_smoothing_length::<2>(0.3)),
             PlaneProfile::new(&gaussian.with_smoothing_length::<3>(0.3)),
         ]
-    }
+    });
 
     #[test]
     fn half_of_the_kernel_lies_on_each_side() {
-        for profile in profiles() {
+        for profile in PROFILES.iter() {
             assert_eq!(profile.colour(0.0), 0.5);
             assert!((profile.colour(profile.support()) - 1.0).abs() < 1e-6);
             assert!(profile.colour(-profile.support()).abs() < 1e-6);
@@ -159,7 +160,7 @@ mod tests {
     #[test]
     fn a_gaussian_gives_the_error_function() {
         // Uncut, C = (1 + erf(s/h))/2 and w1 = exp(-(s/h)^2)/(h sqrt(pi)); the cut at 3 h shifts them by 1e-4 to 5e-4.
-        for profile in &profiles()[2..] {
+        for profile in &PROFILES[2..] {
             assert!((profile.colour(0.3) - 0.921_350_4).abs() < 5e-4);
             assert!((profile.weight(0.0) * 0.3 * std::f64::consts::PI.sqrt() - 1.0).abs() < 1e-3);
         }
@@ -169,7 +170,7 @@ mod tests {
     fn the_moment_on_the_plane_is_that_of_the_half_kernel() {
         // Gaussian: int_0^inf t w1 dt = h/(2 sqrt(pi)), over C = 1/2.
         let exact = 0.3 / std::f64::consts::PI.sqrt();
-        for profile in &profiles()[2..] {
+        for profile in &PROFILES[2..] {
             assert!((profile.offset(0.0) / exact - 1.0).abs() < 2e-3, "{}", profile.offset(0.0));
         }
     }
@@ -177,7 +178,7 @@ mod tests {
     proptest! {
         #[test]
         fn depths_come_back(kind in 0_usize..4, share in -0.45..0.9_f64) {
-            let profile = &profiles()[kind];
+            let profile = &PROFILES[kind];
             let depth = share * profile.support();
             let from_colour = profile.depth_of_colour(profile.colour(depth));
             prop_assert!((from_colour - depth).abs() < 1e-3 * profile.support());

@@ -25,7 +25,7 @@ fn round_drop(across: usize, viscosity: f64) -> Patch<2> {
 }
 
 /// Pressure over tau/R in time mean and the largest speed, over the second half of a run.
-fn at_rest(across: usize, end: f64) -> (f64, f64) {
+pub fn at_rest(across: usize, end: f64) -> (f64, f64) {
     let mut drop = round_drop(across, 0.05);
     let dt = 0.25 * 1.5 / across as f64 / SOUND_SPEED;
     let (mut pressure, mut speed, mut count) = (0.0, 0.0_f64, 0.0);
@@ -59,7 +59,7 @@ fn a_drop_at_rest_has_the_pressure_of_its_curvature() {
 
 /// Mean period over the exact one of the n = 2 oscillation, between zero crossings of sum m (x^2 - y^2) over three periods; the first
 /// half period, in which the particles leave their rings, does not count.
-fn period(across: usize) -> f64 {
+pub fn period(across: usize) -> f64 {
     let exact: f64 = 2.565_100;
     let mut drop = round_drop(across, 0.01);
     let amplitude = 0.08 * std::f64::consts::TAU / exact;

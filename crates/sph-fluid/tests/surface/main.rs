@@ -3,4 +3,5 @@
 mod drop;
 mod layer;
 mod patch;
+mod pool;
 mod shapes;

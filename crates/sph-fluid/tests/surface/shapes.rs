@@ -1,7 +1,7 @@
 //! Bodies with known surfaces, and what the band measures of them.
 
 use crate::patch::Patch;
-use nalgebra::{SVector, Vector2};
+use nalgebra::Vector2;
 use sph_fluid::{FluidControls, SurfaceTension, Tait};
 use sph_kernel::KernelKind;
 
@@ -75,5 +75,5 @@ fn a_plane_has_its_area_and_no_curvature() {
     // Two faces.
     assert!((length / (2.0 * period) - 1.0).abs() < 0.01, "{length}");
     assert!(surface.curvatures().iter().all(|kappa| kappa.abs() < 1e-9));
-    assert!(patch.accelerations.iter().all(|a: &SVector<f64, 2>| a.norm() < 1e-9));
+    assert!(patch.accelerations.iter().all(|a: &Vector2<f64>| a.norm() < 1e-9));
 }
