@@ -95,6 +95,20 @@ fn a_drop_swings_with_the_period_of_rayleigh() {
     }
 }
 
+#[test]
+fn one_thread_and_two_give_the_same_bits() {
+    let bits = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut drop = round_drop(20, 0.01);
+            (0..40).for_each(|_| drop.step(1e-3));
+            let columns = drop.positions.iter().chain(&drop.velocities).flat_map(|v| v.iter().copied());
+            columns.chain(drop.densities.iter().copied()).map(f64::to_bits).collect::<Vec<_>>()
+        })
+    };
+    assert_eq!(bits(1), bits(2));
+}
+
 /// A ball cut out of a lattice.
 fn ball(across: usize) -> Vec<SVector<f64, 3>> {
     let (n, spacing) = (2 * across, 1.0 / across as f64);
