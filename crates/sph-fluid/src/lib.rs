@@ -1,7 +1,9 @@
 #![doc = include_str!("../README.md")]
 
+pub mod benchmarks;
 mod error;
 mod laws;
+mod patch;
 mod surface;
 mod sweep;
 mod tait;
@@ -10,6 +12,7 @@ mod test_block;
 
 pub use error::Error;
 pub use laws::*;
+pub use patch::{FindNeighbors, FluidPatch, PatchStart};
 pub use surface::*;
 pub use sweep::{FluidControls, FluidFields, FluidSweep};
 pub use tait::{Tait, tait_density, tait_pressure, tait_sound_speed};

@@ -82,6 +82,9 @@ pub enum BenchmarkError {
     /// Its scene could not be built.
     #[error(transparent)]
     Model(#[from] ModelError),
+    /// Its fluid was refused.
+    #[error(transparent)]
+    Fluid(#[from] sph_fluid::Error),
     /// Its run went wrong.
     #[error(transparent)]
     Run(#[from] Failure),

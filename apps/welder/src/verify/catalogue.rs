@@ -4,9 +4,10 @@ use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
+use super::melt::{drops, layers};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 15] = [
+static BENCHMARKS: [Benchmark; 21] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -17,6 +18,12 @@ static BENCHMARKS: [Benchmark; 15] = [
     stefan::BENCHMARK,
     mushy_stefan::BENCHMARK,
     moving_gaussian::BENCHMARK,
+    drops::AT_REST,
+    drops::BALL,
+    drops::SWINGING,
+    layers::FILM,
+    layers::RETURN_FLOW,
+    layers::CLOSED_LAYER,
     weld::LATTICE,
     weld::DISORDERED,
     round_off::LEDGER,

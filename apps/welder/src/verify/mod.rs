@@ -9,6 +9,7 @@ mod catalogue;
 mod command;
 pub mod exact;
 mod heat;
+mod melt;
 mod order;
 mod report;
 mod round_off;

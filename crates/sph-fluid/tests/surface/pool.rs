@@ -1,8 +1,8 @@
 //! A half-sphere of melt held by a solid, under its tension: at rest, and driven by a hot spot in its middle.
 
-use crate::patch::Patch;
+use crate::patch::find;
 use nalgebra::{SVector, Vector3};
-use sph_fluid::{FluidControls, Renewal, SurfaceTension, Tait};
+use sph_fluid::{FluidControls, FluidPatch, PatchStart, Renewal, SurfaceTension, Tait};
 use sph_kernel::KernelKind;
 
 /// Radius of the pool \[m\].
@@ -18,7 +18,7 @@ const SOUND_SPEED: f64 = 10.0;
 const SPOT: f64 = 50.0;
 
 /// A pool of `across` spacings to its radius in a solid as thick as the kernel; tau_T = `slope` \[N/(m K)\].
-fn pool(across: usize, slope: f64) -> Patch<3> {
+fn pool(across: usize, slope: f64) -> FluidPatch<3> {
     let spacing = RADIUS / across as f64;
     let kernel = KernelKind::WendlandC2.with_smoothing_length(1.5 * spacing);
     let controls = FluidControls {
@@ -40,25 +40,28 @@ fn pool(across: usize, slope: f64) -> Patch<3> {
             solid.push(position);
         }
     }
-    let masses = vec![DENSITY * spacing.powi(3); melt.len()];
-    let mut patch = Patch::new(melt, masses, solid, spacing, f64::INFINITY, controls);
-    for i in 0..patch.fluid {
-        patch.densities[i] = controls.state.density(-DENSITY * 9.81 * patch.positions[i].z);
-    }
-    patch.temperature = |position| SPOT * (-position.xy().norm_squared() / (0.7 * RADIUS).powi(2)).exp();
-    patch.evaluate(0.0);
-    patch
+    let volumes = vec![spacing.powi(3); melt.len()];
+    let start = PatchStart {
+        wall_velocities: vec![Vector3::zeros(); solid.len()],
+        walls: solid,
+        pressure: |position: &Vector3<f64>| -DENSITY * 9.81 * position.z,
+        temperature: |position: &Vector3<f64>| {
+            SPOT * (-position.xy().norm_squared() / (0.7 * RADIUS).powi(2)).exp()
+        },
+        ..PatchStart::free(melt, volumes, spacing)
+    };
+    FluidPatch::new(start, controls, find).unwrap()
 }
 
 /// Largest speed \[m/s\] of a run to `end` \[s\], and how far the farthest particle lies outside the pool \[spacings\].
-fn run(patch: &mut Patch<3>, end: f64) -> (f64, f64) {
-    let (dt, mut largest) = (0.5 * 1.5 * patch.spacing / SOUND_SPEED, 0.0_f64);
-    while patch.time < end {
+fn run(patch: &mut FluidPatch<3>, end: f64) -> (f64, f64) {
+    let (dt, mut largest) = (0.5 * 1.5 * patch.spacing() / SOUND_SPEED, 0.0_f64);
+    while patch.time() < end {
         patch.step(dt);
         largest = largest.max(patch.largest_speed());
     }
-    let outside = |position: &SVector<f64, 3>| (position.norm() - RADIUS).max(position.z) / patch.spacing;
-    (largest, patch.positions[..patch.fluid].iter().map(outside).fold(f64::NEG_INFINITY, f64::max))
+    let outside = |position: &SVector<f64, 3>| (position.norm() - RADIUS).max(position.z) / patch.spacing();
+    (largest, patch.positions().iter().map(outside).fold(f64::NEG_INFINITY, f64::max))
 }
 
 #[test]
@@ -81,13 +84,13 @@ fn a_driven_pool_runs_outwards_without_noise() {
     assert!(largest > 0.5 * exact && largest < exact, "{}", largest / exact);
     assert!(outside < 0.5, "{outside}");
     let outward = |i: &usize| {
-        let (position, velocity) = (patch.positions[*i].xy(), patch.velocities[*i].xy());
+        let (position, velocity) = (patch.positions()[*i].xy(), patch.velocities()[*i].xy());
         position.dot(&velocity) / position.norm()
     };
     let top = |i: &usize| {
-        let share = patch.positions[*i].xy().norm() / RADIUS;
-        patch.positions[*i].z > -0.75 * patch.spacing && share > 0.3 && share < 0.7
+        let share = patch.positions()[*i].xy().norm() / RADIUS;
+        patch.positions()[*i].z > -0.75 * patch.spacing() && share > 0.3 && share < 0.7
     };
-    let upper: Vec<f64> = (0..patch.fluid).filter(top).map(|i| outward(&i)).collect();
+    let upper: Vec<f64> = (0..patch.positions().len()).filter(top).map(|i| outward(&i)).collect();
     assert!(upper.len() > 50 && upper.iter().all(|&speed| speed > 0.0), "{upper:?}");
 }

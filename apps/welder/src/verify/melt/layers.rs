@@ -1,0 +1,63 @@
+//! Layers that the change of tension with temperature drives.
+
+use super::super::{Benchmark, Mark, Quantity};
+use super::{find, outcome};
+use sph_fluid::Renewal;
+use sph_fluid::benchmarks::layer::{ClosedLayer, film, return_flow};
+
+pub(in super::super) const FILM: Benchmark = Benchmark {
+    name: "melt/film",
+    tested_crate: "sph-fluid",
+    reference: "one-sided shear, u = tau_T G z/eta",
+    quantities: &[Quantity {
+        suffix: "",
+        text: "speed of the surface of an open film, relative; resolution: rows",
+        marks: &[Mark { resolution: 8.0, error: 0.02 }],
+    }],
+    resolutions: [8.0, 16.0, 24.0],
+    quick: 2,
+    run: |resolution| {
+        let (ratio, patch) = film(resolution as usize, None, find)?;
+        Ok(outcome(&patch, vec![(ratio - 1.0).abs()]))
+    },
+};
+
+pub(in super::super) const RETURN_FLOW: Benchmark = Benchmark {
+    name: "melt/return-flow",
+    tested_crate: "sph-fluid",
+    reference: "Birikh (1966): u_s = tau_T G H/(4 eta) without net flux",
+    quantities: &[Quantity {
+        suffix: "",
+        text: "speed of the surface of a shallow layer, relative; resolution: rows",
+        marks: &[
+            Mark { resolution: 8.0, error: 0.04 },
+            Mark { resolution: 16.0, error: 0.03 },
+            Mark { resolution: 32.0, error: 0.02 },
+        ],
+    }],
+    resolutions: [8.0, 16.0, 32.0],
+    quick: 2,
+    run: |resolution| {
+        let (ratio, _, patch) = return_flow(resolution as usize, None, find)?;
+        Ok(outcome(&patch, vec![(ratio - 1.0).abs()]))
+    },
+};
+
+pub(in super::super) const CLOSED_LAYER: Benchmark = Benchmark {
+    name: "melt/closed-layer",
+    tested_crate: "sph-fluid",
+    reference: "Birikh (1966) in the middle of a layer of length 6 between end walls, t = 28",
+    quantities: &[Quantity {
+        suffix: "",
+        text: "speed of the surface in the middle, relative; resolution: rows",
+        marks: &[Mark { resolution: 8.0, error: 0.05 }],
+    }],
+    resolutions: [8.0, 10.0, 12.0],
+    quick: 1,
+    run: |resolution| {
+        let mut layer = ClosedLayer::new(resolution as usize, Some(Renewal::default()), true, find)?;
+        layer.run_to(28.0);
+        let (ratio, _) = layer.middle();
+        Ok(outcome(&layer.patch, vec![(ratio - 1.0).abs()]))
+    },
+};

@@ -1,0 +1,293 @@
+//! Fluid that is stepped by itself: columns, periodic copies along x, walls, and kick-drift-kick.
+
+use crate::error::{Error, require};
+use crate::sweep::{FluidControls, FluidFields, FluidSweep};
+use nalgebra::SVector;
+
+/// Share of the spacing that two particles may close in by before the list is made anew.
+const SKIN: f64 = 0.4;
+
+/// Neighbours of all positions \[m\] nearer than a reach \[m\]: where each row starts (one entry more than positions), and a full
+/// list with ascending rows. `sph-neighbors` gives both.
+pub type FindNeighbors<const D: usize> = fn(&[SVector<f64, D>], f64) -> (Vec<usize>, Vec<u32>);
+
+/// What a patch starts from.
+#[derive(Clone, Debug)]
+pub struct PatchStart<const D: usize> {
+    /// Positions of the fluid \[m\].
+    pub positions: Vec<SVector<f64, D>>,
+    /// Volumes of the fluid \[m^D\].
+    pub volumes: Vec<f64>,
+    /// Positions of particles of the walls \[m\]; each has the volume of a cell.
+    pub walls: Vec<SVector<f64, D>>,
+    /// Velocities of the walls' particles \[m/s\]; they stay where they are.
+    pub wall_velocities: Vec<SVector<f64, D>>,
+    /// Edge of a cell \[m\].
+    pub spacing: f64,
+    /// Period along x \[m\]; `None` where the patch does not repeat.
+    pub period: Option<f64>,
+    /// Pressure of the fluid at a place \[Pa\]: the density follows from it.
+    pub pressure: fn(&SVector<f64, D>) -> f64,
+    /// Temperature at a place \[K\], which the fluid moves through.
+    pub temperature: fn(&SVector<f64, D>) -> f64,
+}
+
+impl<const D: usize> PatchStart<D> {
+    /// Fluid without walls, pressure and temperature.
+    #[must_use]
+    pub fn free(positions: Vec<SVector<f64, D>>, volumes: Vec<f64>, spacing: f64) -> Self {
+        Self {
+            positions,
+            volumes,
+            walls: Vec::new(),
+            wall_velocities: Vec::new(),
+            spacing,
+            period: None,
+            pressure: |_| 0.0,
+            temperature: |_| 0.0,
+        }
+    }
+}
+
+/// A fluid with the sweep that drives it. For tests, examples and benchmarks of the crate's own laws.
+#[derive(Debug)]
+pub struct FluidPatch<const D: usize> {
+    start: PatchStart<D>,
+    find: FindNeighbors<D>,
+    reach: f64,
+    reference_density: f64,
+    fluid: usize,
+    /// Fluid, copies, walls.
+    positions: Vec<SVector<f64, D>>,
+    velocities: Vec<SVector<f64, D>>,
+    densities: Vec<f64>,
+    masses: Vec<f64>,
+    temperatures: Vec<f64>,
+    copies: Vec<u32>,
+    shifts: Vec<f64>,
+    accelerations: Vec<SVector<f64, D>>,
+    list: (Vec<usize>, Vec<u32>),
+    /// Positions of the fluid when the list was made.
+    listed: Vec<SVector<f64, D>>,
+    sweep: FluidSweep<D>,
+    time: f64,
+    pair_visits: u64,
+}
+
+impl<const D: usize> FluidPatch<D> {
+    /// Places the fluid at rest and evaluates it.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a spacing or a period that is not positive, and what [`FluidSweep::new`] refuses.
+    ///
+    /// # Panics
+    /// If columns of `start` differ in length.
+    pub fn new(
+        start: PatchStart<D>,
+        controls: FluidControls<D>,
+        find: FindNeighbors<D>,
+    ) -> Result<Self, Error> {
+        require(start.spacing > 0.0, "spacing", start.spacing, "a positive length in metres")?;
+        let period = start.period.unwrap_or(1.0);
+        require(period > 0.0, "period", period, "a positive length in metres")?;
+        assert_eq!(start.positions.len(), start.volumes.len(), "volumes");
+        assert_eq!(start.walls.len(), start.wall_velocities.len(), "velocities of walls");
+        let densities: Vec<f64> = start
+            .positions
+            .iter()
+            .map(|position| controls.state.density((start.pressure)(position)))
+            .collect();
+        let masses = densities.iter().zip(&start.volumes).map(|(density, volume)| density * volume).collect();
+        let fluid = start.positions.len();
+        let mut patch = Self {
+            reach: controls.kernel.support_radius() + SKIN * start.spacing,
+            reference_density: controls.state.reference_density(),
+            positions: start.positions.clone(),
+            velocities: vec![SVector::zeros(); fluid],
+            accelerations: vec![SVector::zeros(); fluid],
+            sweep: FluidSweep::new(controls)?,
+            temperatures: Vec::new(),
+            copies: Vec::new(),
+            shifts: Vec::new(),
+            list: (Vec::new(), Vec::new()),
+            listed: Vec::new(),
+            time: 0.0,
+            pair_visits: 0,
+            start,
+            find,
+            fluid,
+            densities,
+            masses,
+        };
+        patch.rebuild();
+        patch.evaluate(0.0);
+        Ok(patch)
+    }
+
+    /// Positions of the fluid \[m\].
+    #[must_use]
+    pub fn positions(&self) -> &[SVector<f64, D>] {
+        &self.positions[..self.fluid]
+    }
+
+    /// Velocities of the fluid \[m/s\].
+    #[must_use]
+    pub fn velocities(&self) -> &[SVector<f64, D>] {
+        &self.velocities[..self.fluid]
+    }
+
+    /// Velocities of the fluid, to set them \[m/s\].
+    pub fn velocities_mut(&mut self) -> &mut [SVector<f64, D>] {
+        &mut self.velocities[..self.fluid]
+    }
+
+    /// Accelerations of the fluid at the last evaluation \[m/s^2\].
+    #[must_use]
+    pub fn accelerations(&self) -> &[SVector<f64, D>] {
+        &self.accelerations
+    }
+
+    /// Densities of the fluid \[kg/m^3\].
+    #[must_use]
+    pub fn densities(&self) -> &[f64] {
+        &self.densities[..self.fluid]
+    }
+
+    /// Masses of the fluid \[kg; kg/m in 2-D\].
+    #[must_use]
+    pub fn masses(&self) -> &[f64] {
+        &self.masses[..self.fluid]
+    }
+
+    /// The sweep, with pressures and surface of the last evaluation.
+    #[must_use]
+    pub fn sweep(&self) -> &FluidSweep<D> {
+        &self.sweep
+    }
+
+    /// Edge of a cell \[m\].
+    #[must_use]
+    pub fn spacing(&self) -> f64 {
+        self.start.spacing
+    }
+
+    /// Time \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Directed pairs of the lists that the passes of density and of forces have visited.
+    #[must_use]
+    pub fn pair_visits(&self) -> u64 {
+        self.pair_visits
+    }
+
+    /// sum m/rho \[m^D\].
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.masses().iter().zip(self.densities()).map(|(mass, density)| mass / density).sum()
+    }
+
+    /// Largest speed of the fluid \[m/s\].
+    #[must_use]
+    pub fn largest_speed(&self) -> f64 {
+        self.velocities().iter().map(SVector::norm).fold(0.0, f64::max)
+    }
+
+    /// One kick-drift-kick step \[s\].
+    pub fn step(&mut self, dt: f64) {
+        self.kick(0.5 * dt);
+        for i in 0..self.fluid {
+            self.positions[i] += self.velocities[i] * dt;
+        }
+        for (position, shift) in self.positions.iter_mut().zip(self.sweep.shift_velocities()) {
+            *position += shift * dt;
+        }
+        self.evaluate(dt);
+        self.kick(0.5 * dt);
+        self.time += dt;
+    }
+
+    /// Equal steps of at most `dt` \[s\] that end on `time` \[s\].
+    pub fn run_to(&mut self, time: f64, dt: f64) {
+        let steps = ((time - self.time) / dt).ceil();
+        let dt = (time - self.time) / steps;
+        (0..steps as usize).for_each(|_| self.step(dt));
+        self.time = time;
+    }
+
+    fn kick(&mut self, dt: f64) {
+        for (velocity, acceleration) in self.velocities.iter_mut().zip(&self.accelerations) {
+            *velocity += acceleration * dt;
+        }
+    }
+
+    fn evaluate(&mut self, dt: f64) {
+        let far = 0.5 * SKIN * self.start.spacing;
+        if self.positions().iter().zip(&self.listed).any(|(now, then)| (now - then).norm() > far) {
+            self.rebuild();
+        }
+        self.move_copies();
+        self.temperatures.clear();
+        self.temperatures.extend(self.positions.iter().map(self.start.temperature));
+        let fields = FluidFields {
+            positions: &self.positions,
+            velocities: &self.velocities,
+            masses: &self.masses,
+            temperatures: &self.temperatures,
+            copies: &self.copies,
+            list_starts: &self.list.0,
+            list_neighbors: &self.list.1,
+        };
+        self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
+        self.pair_visits += 2 * self.list.0[self.fluid] as u64;
+    }
+
+    /// Copies, walls and the list anew.
+    fn rebuild(&mut self) {
+        self.positions.truncate(self.fluid);
+        self.velocities.truncate(self.fluid);
+        self.densities.truncate(self.fluid);
+        self.masses.truncate(self.fluid);
+        self.find_copies();
+        for &source in &self.copies {
+            self.positions.push(self.positions[source as usize]);
+            self.velocities.push(self.velocities[source as usize]);
+            self.masses.push(self.masses[source as usize]);
+        }
+        self.positions.extend_from_slice(&self.start.walls);
+        self.velocities.extend_from_slice(&self.start.wall_velocities);
+        let cell = self.reference_density * self.start.spacing.powi(D as i32);
+        self.masses.resize(self.positions.len(), cell);
+        self.densities.resize(self.positions.len(), self.reference_density);
+        self.move_copies();
+        self.list = (self.find)(&self.positions, self.reach);
+        self.listed.clear();
+        self.listed.extend_from_slice(&self.positions[..self.fluid]);
+    }
+
+    /// Puts the fluid into its period, and finds who is seen across its ends until the list is made anew.
+    fn find_copies(&mut self) {
+        self.copies.clear();
+        self.shifts.clear();
+        let Some(period) = self.start.period else { return };
+        let margin = self.reach + SKIN * self.start.spacing;
+        for i in 0..self.fluid {
+            let x = self.positions[i][0].rem_euclid(period);
+            self.positions[i][0] = x;
+            for shift in [(x < margin).then_some(period), (x > period - margin).then_some(-period)] {
+                self.copies.extend(shift.map(|_| i as u32));
+                self.shifts.extend(shift);
+            }
+        }
+    }
+
+    fn move_copies(&mut self) {
+        for (k, &source) in self.copies.iter().enumerate() {
+            self.positions[self.fluid + k] = self.positions[source as usize];
+            self.positions[self.fluid + k][0] += self.shifts[k];
+            self.velocities[self.fluid + k] = self.velocities[source as usize];
+        }
+    }
+}
