@@ -16,6 +16,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let rest = drop_at_rest(across, 2.0, find)?;
     let (pressure, speed) = (rest.pressure, rest.largest_speed);
     println!("at rest: p/(tau/R) {pressure:.4}, largest speed {speed:.1e} sqrt(tau/(rho R))");
-    println!("swinging: period over Rayleigh's {:.4}", swinging_drop(across, find)?.0);
+    for (gradients, corrected) in [("corrected", true), ("plain", false)] {
+        let (ratio, _) = swinging_drop(across, corrected, find)?;
+        println!("swinging, {gradients} gradients: period over Rayleigh's {ratio:.4}");
+    }
     Ok(())
 }

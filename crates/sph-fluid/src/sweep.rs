@@ -151,11 +151,6 @@ impl<const D: usize> FluidSweep<D> {
         &self.shifts
     }
 
-    /// Replaces the acceleration of every particle \[m/s^2\].
-    pub fn set_body_acceleration(&mut self, body_acceleration: SVector<f64, D>) {
-        self.controls.body_acceleration = body_acceleration;
-    }
-
     /// Pressures \[Pa\] of all particles at the last evaluation; of walls that of the fluid carried to them.
     #[must_use]
     pub fn pressures(&self) -> &[f64] {
@@ -340,23 +335,28 @@ impl<const D: usize> FluidSweep<D> {
             return;
         };
         let (kernel, volumes, profile) = (&self.controls.kernel, &self.volumes, surface.profile());
+        let corrections = &self.corrections;
         accelerations.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, sum)| {
             let curvature = surface.curvatures()[i];
+            let (normal, depth) = &surface.planes()[i];
+            let driven = tension.slope() != 0.0 && *depth < profile.support();
+            if curvature == 0.0 && !driven {
+                return;
+            }
+            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
             if curvature != 0.0 {
                 let temperature = fields.temperatures.get(i);
                 let tau = temperature.map_or(tension.reference(), |&temperature| tension.at(temperature));
-                let inwards = if self.corrections.is_empty() {
+                let inwards = if corrections.is_empty() {
                     surface.gradients()[i]
                 } else {
-                    let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-                    conjugate_colour_gradient(&row, volumes, &self.corrections)
+                    conjugate_colour_gradient(&row, volumes, corrections)
                 };
                 *sum += tension_force(tau, curvature, &inwards) / densities[i];
             }
-            let (normal, depth) = &surface.planes()[i];
-            if tension.slope() != 0.0 && *depth < profile.support() {
-                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-                let inverse = regularised_inverse(&moment(&row, volumes));
+            if driven {
+                let own = corrections.get(i).copied();
+                let inverse = own.unwrap_or_else(|| regularised_inverse(&moment(&row, volumes)));
                 let slope = gradient(&row, volumes, fields.temperatures, &inverse);
                 let weight = profile.weight(depth.max(0.0));
                 *sum += marangoni_force(tension.slope(), weight, normal, &slope) / densities[i];

@@ -36,9 +36,12 @@ fn controls<const D: usize>(spacing: f64, viscosity: f64) -> Result<FluidControl
 /// # Errors
 /// [`Error`] of the sweep.
 pub fn round_drop(across: usize, viscosity: f64, find: FindNeighbors<2>) -> Result<FluidPatch<2>, Error> {
-    let ((positions, areas), spacing) = (rings(across), 1.0 / across as f64);
-    let start = PatchStart { pressure: |_| 1.0, ..PatchStart::free(positions, areas, spacing) };
-    FluidPatch::new(start, controls(spacing, viscosity)?, find)
+    FluidPatch::new(ring_start(across), controls(1.0 / across as f64, viscosity)?, find)
+}
+
+fn ring_start(across: usize) -> PatchStart<2> {
+    let (positions, areas) = rings(across);
+    PatchStart { pressure: |_| 1.0, ..PatchStart::free(positions, areas, 1.0 / across as f64) }
 }
 
 /// A drop of rings at rest until `end`.
@@ -99,11 +102,17 @@ fn inner_pressure<const D: usize>(patch: &FluidPatch<D>) -> f64 {
 
 /// Mean period of the second mode over [`PERIOD`], between zero crossings of sum m (x^2 - y^2) over three periods; the
 /// first half period, in which the particles leave their rings, does not count. NaN where it does not swing. With the drop.
+/// `corrected_gradients` is the default of the other drops; without, the period is what plain sums give.
 ///
 /// # Errors
 /// [`Error`] of the sweep.
-pub fn swinging_drop(across: usize, find: FindNeighbors<2>) -> Result<(f64, FluidPatch<2>), Error> {
-    let mut patch = round_drop(across, 0.01, find)?;
+pub fn swinging_drop(
+    across: usize,
+    corrected_gradients: bool,
+    find: FindNeighbors<2>,
+) -> Result<(f64, FluidPatch<2>), Error> {
+    let controls = FluidControls { corrected_gradients, ..controls(1.0 / across as f64, 0.01)? };
+    let mut patch = FluidPatch::new(ring_start(across), controls, find)?;
     let speeds: Vec<_> = patch.positions().iter().map(|x| Vector2::new(x.x, -x.y)).collect();
     let largest = AMPLITUDE * 2.0 * PI / PERIOD;
     patch.velocities_mut().iter_mut().zip(speeds).for_each(|(velocity, shape)| *velocity = shape * largest);

@@ -1,7 +1,8 @@
 //! The band of particles that make the surface, found anew at each evaluation.
 
 use super::{
-    PlaneProfile, curvature, is_surface, plane_of_surface, smoothed_curvature, smoothed_normal, unit_or_zero,
+    PlaneProfile, curvature, is_surface, may_be_surface, plane_of_surface, smoothed_curvature,
+    smoothed_normal, unit_or_zero,
 };
 use crate::sweep::{FluidFields, copy_images};
 use nalgebra::SVector;
@@ -17,9 +18,9 @@ pub struct SurfaceBand<const D: usize> {
     profile: PlaneProfile,
     /// grad C \[1/m\], pointing inwards.
     gradients: Vec<SVector<f64, D>>,
-    /// Depth by the colour, on which curvature rests \[m\].
+    /// Depth by the colour where a particle may belong to the band, on which curvature rests \[m\].
     colour_depths: Vec<f64>,
-    /// Depth by the centroid, which crowding does not change \[m\].
+    /// Depth by the centroid in the same places, which crowding does not change \[m\].
     offset_depths: Vec<f64>,
     flags: Vec<bool>,
     normals: Vec<SVector<f64, D>>,
@@ -112,8 +113,10 @@ impl<const D: usize> SurfaceBand<D> {
         written.enumerate().for_each_init(RowBuffer::default, |buffer, (i, ((gradient, colour), offset))| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
             *gradient = colour_gradient(&row, volumes);
-            *colour = profile.depth_of_colour(summation(&row, volumes, central));
-            *offset = profile.depth_of_offset(centroid(&row, central).norm());
+            if may_be_surface(gradient, kernel.smoothing_length()) {
+                *colour = profile.depth_of_colour(summation(&row, volumes, central));
+                *offset = profile.depth_of_offset(centroid(&row, central).norm());
+            }
         });
         copy_images(&mut self.gradients, fluid, fields.copies);
         copy_images(&mut self.colour_depths, fluid, fields.copies);
@@ -125,8 +128,11 @@ impl<const D: usize> SurfaceBand<D> {
         let mobile = fluid + fields.copies.len();
         gradients[mobile..].fill(SVector::zeros());
         flags[..fluid].par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, flag)| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            *flag = is_surface(&row, gradients, kernel.smoothing_length());
+            let length = kernel.smoothing_length();
+            if may_be_surface(&gradients[i], length) {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+                *flag = is_surface(&row, gradients, length);
+            }
         });
         copy_images(flags, fluid, fields.copies);
     }

@@ -14,6 +14,6 @@ mod tension;
 pub use band::SurfaceBand;
 pub use curvature::{curvature, smoothed_curvature};
 pub use force::{marangoni_force, tension_force};
-pub use normal::{is_strong, is_surface, plane_of_surface, smoothed_normal, unit_or_zero};
+pub use normal::{is_surface, may_be_surface, plane_of_surface, smoothed_normal, unit_or_zero};
 pub use plane::PlaneProfile;
 pub use tension::SurfaceTension;

@@ -20,10 +20,16 @@ pub fn unit_or_zero<const D: usize>(vector: &SVector<f64, D>) -> SVector<f64, D>
     if length > 0.0 { vector / length } else { SVector::zeros() }
 }
 
-/// Whether a particle lies in the outermost row.
+/// Whether a particle may belong to the band at all; what the band needs of a particle is of no use elsewhere.
 #[inline]
 #[must_use]
-pub fn is_strong<const D: usize>(gradient: &SVector<f64, D>, smoothing_length: f64) -> bool {
+pub fn may_be_surface<const D: usize>(gradient: &SVector<f64, D>, smoothing_length: f64) -> bool {
+    gradient.norm() * smoothing_length > WEAK
+}
+
+/// Whether a particle lies in the outermost row.
+#[inline]
+fn is_strong<const D: usize>(gradient: &SVector<f64, D>, smoothing_length: f64) -> bool {
     gradient.norm() * smoothing_length > STRONG
 }
 
@@ -39,7 +45,7 @@ pub fn is_surface<const D: usize>(
 ) -> bool {
     let own = &gradients[row.index];
     let length = own.norm();
-    if length * smoothing_length <= WEAK {
+    if !may_be_surface(own, smoothing_length) {
         return false;
     }
     is_strong(own, smoothing_length)

@@ -84,5 +84,6 @@ fn the_plain_scheme_stalls_in_a_closed_layer() {
     let mut layer = ClosedLayer::new(8, None, false, find).unwrap();
     layer.run_to(28.0);
     let (speed, _) = layer.middle();
+    println!("closed layer, plain scheme, 8 rows, t = 28: u_s/exact {speed:.4}");
     assert!(speed < 0.85, "the test of the cure no longer bites: {speed}");
 }

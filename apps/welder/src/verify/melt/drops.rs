@@ -58,7 +58,7 @@ pub(in super::super) const SWINGING: Benchmark = Benchmark {
     resolutions: [10.0, 14.0, 20.0],
     quick: 1,
     run: |resolution| {
-        let (ratio, patch) = swinging_drop(resolution as usize, find)?;
+        let (ratio, patch) = swinging_drop(resolution as usize, true, find)?;
         Ok(outcome(&patch, vec![(ratio - 1.0).abs()]))
     },
 };
