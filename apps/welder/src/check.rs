@@ -1,12 +1,13 @@
 //! `welder check`: what a case is before it is run.
 
-use crate::build::LevelPlan;
+use crate::build::{LevelPlan, Workpiece};
 use crate::case;
 use crate::cli::{CheckArguments, ExitStatus, refuse, say};
 use crate::model::{Model, ModelError};
 use crate::observe::Machine;
 use crate::physics::Physics;
 use crate::physics::heat::Heat;
+use crate::physics::stress::Stress;
 use crate::run::{level_plan, numbers};
 use sph_integrate::stages_for;
 
@@ -15,6 +16,9 @@ const BYTES_PER_PARTICLE: u64 = 1850;
 
 /// Directed pairs that one core visits in a second, a careful figure for a forecast.
 const PAIRS_PER_SECOND: f64 = 5e8;
+
+/// Directed pairs of stress that one core visits in a second, a careful figure for a forecast.
+const STRESS_PAIRS_PER_SECOND: f64 = 1e8;
 
 /// Steps by the error estimate for each step by the laser's rule, a figure for a forecast.
 const STEPS_PER_RULE_STEP: f64 = 3.0;
@@ -58,10 +62,11 @@ fn describe(model: &Model, largest: u64) -> Result<Vec<String>, ModelError> {
         ));
         return Ok(lines);
     }
-    let workpiece = crate::build::Workpiece::new(model, &plan);
+    let workpiece = Workpiece::new(model, &plan);
     let heat = Heat::new(model, &workpiece)?;
     lines.push(pair_line(&heat));
     lines.push(step_lines(model, &heat));
+    lines.extend(stress_line(model, &workpiece)?);
     lines.extend(power_lines(model));
     lines.extend(warnings(model));
     let named: Vec<String> =
@@ -121,6 +126,18 @@ fn step_lines(model: &Model, heat: &Heat) -> String {
         heat.pairs(),
         Machine::here(),
     )
+}
+
+/// What stress adds to the particles and to the work.
+fn stress_line(model: &Model, workpiece: &Workpiece) -> Result<Option<String>, ModelError> {
+    let Some(settings) = &model.stress else { return Ok(None) };
+    let stress = Stress::new(model, settings, workpiece)?;
+    let seconds = 100.0 * (stress.steps() * stress.pairs()) as f64 / STRESS_PAIRS_PER_SECOND;
+    Ok(Some(format!(
+        "  stress         {} particles with copies beyond mirror planes; {} steps of settling in a step of heat, about {seconds:.0} s for 100 of them on one core",
+        stress.particles(),
+        stress.steps(),
+    )))
 }
 
 /// Commanded, emitted, absorbed, reflected and missed energy of the whole beam.

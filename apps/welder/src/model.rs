@@ -1,8 +1,9 @@
 //! The case as the engine takes it: numbers and curves instead of names and cards.
 
-use crate::case::scene::{EnthalpyCurve as CurveChoice, Faces, Heat, Resolution};
+use crate::case::scene::{EnthalpyCurve as CurveChoice, Faces, Heat, Resolution, Stress};
 use crate::case::{Case, MaterialCard, Property};
 use laser_source::LaserSource;
+use sph_solid::{IsotropicModuli, ThermalExpansion, YieldStress};
 use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
 use std::sync::Arc;
 
@@ -32,10 +33,25 @@ pub struct Model {
     pub laser: Option<LaserSource>,
     /// How heat is computed.
     pub heat: Heat,
+    /// How stress is computed, if it is.
+    pub stress: Option<StressModel>,
     /// End of the run \[s\].
     pub end: f64,
     /// Whether the run ends when everything has frozen after the laser's last light.
     pub stop_when_solid: bool,
+}
+
+/// Stress as the engine takes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StressModel {
+    /// What the scene says.
+    pub settings: Stress,
+    /// Elastic moduli.
+    pub moduli: IsotropicModuli,
+    /// Density and expansion over temperature.
+    pub expansion: ThermalExpansion,
+    /// Yield stress over temperature.
+    pub yield_stress: YieldStress,
 }
 
 /// What the engine refuses although the case could be read.
@@ -50,6 +66,9 @@ pub enum ModelError {
     /// The thermal crate refused a material or the pair weights.
     #[error("heat: {0}")]
     Thermal(#[from] sph_thermal::Error),
+    /// The solid crate refused a material or the body.
+    #[error("stress: {0}")]
+    Solid(#[from] sph_solid::Error),
     /// The laser crate refused the source.
     #[error("laser: {0}")]
     Laser(#[from] laser_source::Error),
@@ -86,6 +105,7 @@ impl Model {
             start,
             laser: scene.laser.as_ref().map(|laser| laser.source()).transpose()?,
             heat,
+            stress: scene.stress().map(|settings| stress(settings, case)).transpose()?,
             end: scene.time.end_s,
             stop_when_solid: scene.time.stop_when_solid,
         })
@@ -106,6 +126,27 @@ impl Model {
     pub fn counts(&self) -> [i64; 3] {
         self.size.map(|size| (size / self.spacing()).round() as i64)
     }
+}
+
+/// The mechanical side of the part's own material.
+///
+/// # Errors
+/// [`ModelError::Unsupported`] where the card lacks what stress needs, and what the solid crate refuses.
+fn stress(settings: &Stress, case: &Case) -> Result<StressModel, ModelError> {
+    let card = &case.materials[0].card;
+    let (Some(young), Some(poisson), Some(expansion), Some(strength)) =
+        (&card.young_pa, &card.poisson, &card.expansion_1_k, &card.yield_pa)
+    else {
+        let what = "Stress needs young_pa, poisson, expansion_1_k and yield_pa of the material";
+        return Err(ModelError::Unsupported(what.into()));
+    };
+    let (density, start) = (card.density_kg_m3.value, case.scene.part.start_k);
+    Ok(StressModel {
+        settings: *settings,
+        moduli: IsotropicModuli::from_young_and_poisson(young.value, poisson.value)?,
+        expansion: ThermalExpansion::new(density, start, &expansion.points())?,
+        yield_stress: YieldStress::new(&strength.points())?,
+    })
 }
 
 /// The thermal side of a material card.

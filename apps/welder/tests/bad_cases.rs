@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 use support::{Edit, MATERIAL, Row, SCENE, check, check_path, spoken};
-use support::{geometry_rows, material_rows, path_rows, scene_rows};
+use support::{geometry_rows, material_rows, path_rows, scene_rows, stress_rows};
 
 #[track_caller]
 fn assert_refused(code: Option<i32>, message: &str, words: &[&str]) {
@@ -34,6 +34,30 @@ fn each_material_is_refused(rows: &[Row]) {
         assert_refused(code, &message, words);
         assert_refused(code, &message, &[&edit.place(&material, "metal.ron")]);
     }
+}
+
+#[test]
+fn wrong_stress() {
+    let (good, metal) = (stress_rows::scene(), stress_rows::material());
+    let (code, message) = check(&good, &metal, &[]);
+    assert_eq!(code, Some(0), "{message}");
+    for &(from, to, at, words) in stress_rows::SCENES {
+        let edit = Edit { from, to, at };
+        let scene = edit.apply(&good);
+        let (code, message) = check(&scene, &metal, &[]);
+        assert_refused(code, &message, words);
+        assert_refused(code, &message, &[&edit.place(&scene, "scene.ron")]);
+    }
+    for &(from, to, at, words) in stress_rows::MATERIALS {
+        let edit = Edit { from, to, at };
+        let material = edit.apply(&metal);
+        let (code, message) = check(&good, &material, &[]);
+        assert_refused(code, &message, words);
+        assert_refused(code, &message, &[&edit.place(&material, "metal.ron")]);
+    }
+    let fields = "output.fields=[\"von_mises_pa\"]";
+    let (code, message) = check(SCENE, MATERIAL, &[fields]);
+    assert_refused(code, &message, &["a field of Stress, which the scene does not list"]);
 }
 
 #[test]

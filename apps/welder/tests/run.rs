@@ -56,6 +56,34 @@ fn same_results(one: &Path, other: &Path) {
 }
 
 #[test]
+fn stress_is_the_same_on_two_threads_and_after_a_stop() {
+    let folder = tempfile::tempdir().unwrap();
+    let [whole, two, halves] = ["whole", "two", "halves"].map(|name| folder.path().join(name));
+    let small = [
+        "--set",
+        "part.size_m=(1.2e-3,1.2e-3,0.6e-3)",
+        "--set",
+        "laser.path.pulse.duration_s=0.002",
+        "--set",
+        "time.end_s=0.003",
+        "--set",
+        "physics=[Heat(),Stress(crossings: 0.3)]",
+    ];
+    let run = |out: &Path, more: &[&str]| code(&welder(out, &[&small, more].concat()));
+    assert_eq!(run(&whole, &["--threads", "1"]), 0);
+    assert_eq!(run(&two, &["--threads", "2"]), 0);
+    same_results(&whole, &two);
+    for until in ["0.0011", "0.0023"] {
+        assert_eq!(run(&halves, &["--until", until]), 0);
+        assert_eq!(run(&halves, &["--resume"]), 0);
+        same_results(&whole, &halves);
+    }
+    let stress = result(&whole).stress.expect("it is computed");
+    assert!(stress.max_von_mises_pa > 1e7 && stress.max_plastic_strain > 1e-3, "{stress:?}");
+    assert!(whole.join("stress_x.png").exists() && whole.join("residual_stress_y.png").exists());
+}
+
+#[test]
 fn threads_and_interruptions_leave_the_same_bits() {
     let folder = tempfile::tempdir().unwrap();
     let [whole, two, halves] = ["whole", "two", "halves"].map(|name| folder.path().join(name));

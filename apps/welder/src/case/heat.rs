@@ -1,5 +1,6 @@
 //! The list of physics in a scene, and the settings of heat conduction.
 
+use super::stress::Stress;
 use serde::{Deserialize, Serialize};
 
 /// One physics of the scene.
@@ -8,6 +9,8 @@ use serde::{Deserialize, Serialize};
 pub enum Physics {
     /// Heat conduction with melting and freezing.
     Heat(Heat),
+    /// Thermal stress in a body that heat warms; needs Heat.
+    Stress(Stress),
 }
 
 impl Physics {
@@ -15,6 +18,7 @@ impl Physics {
     pub fn name(&self) -> &'static str {
         match self {
             Physics::Heat(_) => "Heat",
+            Physics::Stress(_) => "Stress",
         }
     }
 }

@@ -80,6 +80,7 @@ pub fn resolved_ron(case: &Case) -> String {
     let mut scene = case.scene.clone();
     scene.output.frame_interval_s = Some(scene.frame_interval_s());
     scene.output.history_interval_s = Some(scene.history_interval_s());
+    scene.output.fields = Some(scene.frame_fields());
     scene.output.checkpoint_interval_s = Some(scene.checkpoint_interval_s());
     scene.part.material = case.materials[0].name.clone();
     for (region, &material) in scene.part.regions.iter_mut().zip(&case.region_materials) {

@@ -30,10 +30,22 @@ pub struct MaterialCard {
     pub conductivity_solid_w_m_k: Property,
     /// Thermal conductivity of the melt in W/(m K).
     pub conductivity_liquid_w_m_k: Property,
+    /// Young's modulus of the solid in Pa, constant in the model; read by Stress alone, as are those below.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub young_pa: Option<Quantity>,
+    /// Poisson's ratio of the solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub poisson: Option<Quantity>,
+    /// Coefficient of linear thermal expansion of the solid in 1/K, the slope d ln(length)/dT.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub expansion_1_k: Option<Property>,
+    /// Yield stress in Pa, zero from the solidus on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yield_pa: Option<Property>,
 }
 
 impl MaterialCard {
-    /// The constant values with the names of their fields; `boiling_k` only when it is given.
+    /// The constant values with the names of their fields; those that may be left out only when they are given.
     pub fn quantities(&self) -> Vec<(&'static str, &Quantity)> {
         let mut all = vec![
             ("density_kg_m3", &self.density_kg_m3),
@@ -42,17 +54,22 @@ impl MaterialCard {
             ("latent_heat_j_kg", &self.latent_heat_j_kg),
         ];
         all.extend(self.boiling_k.as_ref().map(|boiling| ("boiling_k", boiling)));
+        all.extend(self.young_pa.as_ref().map(|young| ("young_pa", young)));
+        all.extend(self.poisson.as_ref().map(|poisson| ("poisson", poisson)));
         all
     }
 
-    /// The values that may depend on temperature, with the names of their fields.
-    pub fn properties(&self) -> [(&'static str, &Property); 4] {
-        [
+    /// The values that may depend on temperature, with the names of their fields; those of Stress only when they are given.
+    pub fn properties(&self) -> Vec<(&'static str, &Property)> {
+        let mut all = vec![
             ("heat_capacity_solid_j_kg_k", &self.heat_capacity_solid_j_kg_k),
             ("heat_capacity_liquid_j_kg_k", &self.heat_capacity_liquid_j_kg_k),
             ("conductivity_solid_w_m_k", &self.conductivity_solid_w_m_k),
             ("conductivity_liquid_w_m_k", &self.conductivity_liquid_w_m_k),
-        ]
+        ];
+        all.extend(self.expansion_1_k.as_ref().map(|expansion| ("expansion_1_k", expansion)));
+        all.extend(self.yield_pa.as_ref().map(|strength| ("yield_pa", strength)));
+        all
     }
 }
 

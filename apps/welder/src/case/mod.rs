@@ -17,6 +17,7 @@ mod scan;
 pub mod scene;
 mod set;
 pub mod source;
+mod stress;
 mod validate;
 
 pub use card::{CardSource, read_card};

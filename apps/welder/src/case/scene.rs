@@ -12,6 +12,7 @@ pub use super::laser::Laser;
 pub use super::material::MaterialCard;
 pub use super::part::{Face, Faces, Part, Region};
 pub use super::resolution::{Levels, Resolution};
+pub use super::stress::{Clamped, Stress};
 
 /// The whole of a `scene.ron`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -65,8 +66,9 @@ pub struct Output {
     pub history_interval_s: Option<f64>,
     /// Time between checkpoints. Default: a fifth of `time.end_s`.
     pub checkpoint_interval_s: Option<f64>,
-    /// Columns of the frames, out of [`OUTPUT_FIELDS`]. Default: temperature_k, phase, was_molten.
-    pub fields: Vec<String>,
+    /// Columns of the frames, out of [`OUTPUT_FIELDS`] and, with Stress, [`STRESS_FIELDS`]. Default: temperature_k, phase,
+    /// was_molten, and all those of Stress where it is computed.
+    pub fields: Option<Vec<String>>,
     /// Whether pictures (PNG) are drawn. Default: true.
     pub pictures: bool,
 }
@@ -83,6 +85,10 @@ pub const OUTPUT_FIELDS: &[&str] = &[
     "material",
 ];
 
+/// The columns that a frame can hold besides where stress is computed.
+pub const STRESS_FIELDS: &[&str] =
+    &["displacement_m", "von_mises_pa", "principal_stress_pa", "plastic_strain"];
+
 impl Default for Output {
     fn default() -> Self {
         Output {
@@ -90,7 +96,7 @@ impl Default for Output {
             frame_interval_s: None,
             history_interval_s: None,
             checkpoint_interval_s: None,
-            fields: ["temperature_k", "phase", "was_molten"].map(String::from).to_vec(),
+            fields: None,
             pictures: true,
         }
     }
@@ -132,6 +138,25 @@ impl Scene {
 
     /// The settings of heat conduction, when the scene lists it.
     pub fn heat(&self) -> Option<&Heat> {
-        self.physics.iter().map(|Physics::Heat(heat)| heat).next()
+        self.physics.iter().find_map(|physics| match physics {
+            Physics::Heat(heat) => Some(heat),
+            Physics::Stress(_) => None,
+        })
+    }
+
+    /// The settings of thermal stress, when the scene lists it.
+    pub fn stress(&self) -> Option<&Stress> {
+        self.physics.iter().find_map(|physics| match physics {
+            Physics::Stress(stress) => Some(stress),
+            Physics::Heat(_) => None,
+        })
+    }
+
+    /// Columns of the frames, the default filled in.
+    pub fn frame_fields(&self) -> Vec<String> {
+        let heat = ["temperature_k", "phase", "was_molten"].as_slice();
+        let stress = if self.stress().is_some() { STRESS_FIELDS } else { &[] };
+        let default = || heat.iter().chain(stress).map(|name| name.to_string()).collect();
+        self.output.fields.clone().unwrap_or_else(default)
     }
 }

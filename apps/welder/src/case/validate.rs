@@ -10,6 +10,7 @@ mod part;
 mod plausible;
 mod run;
 mod size;
+mod stress;
 mod symmetry;
 
 use super::card::CardSource;
@@ -41,6 +42,9 @@ pub fn validate(
     }
     for card in cards {
         problems.extend(material::check(card));
+        if scene.stress().is_some() {
+            problems.extend(stress::check_card(card));
+        }
     }
     problems
 }

@@ -37,15 +37,15 @@ pub struct Measure {
     pub beyond_finest: bool,
 }
 
-/// Temperatures on a plane.
+/// Values on a plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Map {
     /// Columns, rising \[m\].
     pub x: Vec<f64>,
     /// Rows, rising \[m\].
     pub y: Vec<f64>,
-    /// Row after row \[K\].
-    pub temperature: Vec<f64>,
+    /// Row after row.
+    pub value: Vec<f64>,
 }
 
 /// Reads sizes off the finest grid of a workpiece.
@@ -212,6 +212,17 @@ impl Gauge {
     /// Temperatures of the last measure in the upright section through the column nearest to `at` \[m\] on `axis`, mirror
     /// image added where the section ends on a symmetry plane.
     pub fn section(&self, axis: usize, at: f64) -> Map {
+        self.cut(axis, at, |node| self.temperature(node, self.now.nodes[node]))
+    }
+
+    /// The same section of `field`, a value of each particle.
+    pub fn section_of(&self, field: &[f64], axis: usize, at: f64) -> Map {
+        let mut nodes = vec![0.0; self.now.nodes.len()];
+        self.sampler.read(|particle| field[particle], &mut nodes);
+        self.cut(axis, at, |node| nodes[node])
+    }
+
+    fn cut(&self, axis: usize, at: f64, value: impl Fn(usize) -> f64) -> Map {
         let [nx, ny, nz] = self.counts;
         let along = 1 - axis;
         let column =
@@ -219,7 +230,7 @@ impl Gauge {
         let column = column as usize;
         let node = |layer: usize, k: usize| {
             let place = if axis == 1 { column * nx + k } else { k * nx + column };
-            self.temperature(layer * nx * ny + place, self.now.nodes[layer * nx * ny + place])
+            value(layer * nx * ny + place)
         };
         let y = (0..nz).rev().map(|layer| -self.spacing * (layer as f64 + 0.5)).collect();
         self.unfold(along, y, |row, k| node(nz - 1 - row, k))
@@ -249,9 +260,9 @@ impl Gauge {
         let plane = self.low[axis];
         let place = |k: usize| if k < mirrored { 2.0 * plane - x[reflect(k)] } else { x[reflect(k)] };
         let columns = mirrored + count;
-        let temperature = (0..y.len()).flat_map(|row| (0..columns).map(move |k| (row, k)));
-        let temperature = temperature.map(|(row, k)| value(row, reflect(k))).collect();
-        Map { x: (0..columns).map(place).collect(), y, temperature }
+        let places = (0..y.len()).flat_map(|row| (0..columns).map(move |k| (row, k)));
+        let value = places.map(|(row, k)| value(row, reflect(k))).collect();
+        Map { x: (0..columns).map(place).collect(), y, value }
     }
 
     fn read_surface(&mut self, model: &Model, time: f64, step: f64) {

@@ -1,4 +1,4 @@
-//! Fills parts of a picture with the colours of temperatures.
+//! Fills parts of a picture with the colours of values.
 
 use super::SectionGrid;
 use super::canvas::Canvas;
@@ -10,32 +10,32 @@ const OUTSIDE: [u8; 3] = [225, 225, 225];
 /// The part of the canvas, in pixels, that a chart fills with its content.
 pub(super) type Window = (Range<i32>, Range<i32>);
 
-/// Colours every pixel of the field by the temperature between the grid points around it.
+/// Colours every pixel of the field by the value between the grid points around it.
 pub(super) fn fill_field(
     canvas: &mut Canvas,
     grid: &SectionGrid,
     (across, down): &Window,
-    range_k: &Range<f64>,
+    range: &Range<f64>,
 ) {
     let columns = grid.x_m.len();
     let along_x: Vec<_> = (0..across.len()).map(|pixel| neighbours(pixel, across.len(), columns)).collect();
     let colours = colours();
-    let per_kelvin = 1.0 / (range_k.end - range_k.start);
+    let per_unit = 1.0 / (range.end - range.start);
     for y in down.clone() {
         let (row, up) = neighbours((down.end - 1 - y) as usize, down.len(), grid.y_m.len());
-        let low = &grid.temperature_k[row * columns..][..columns];
-        let high = &grid.temperature_k[(row + 1) * columns..][..columns];
-        let temperature_k = |&(left, part): &(usize, f64)| {
-            let below_k = low[left] + part * (low[left + 1] - low[left]);
-            let above_k = high[left] + part * (high[left + 1] - high[left]);
-            below_k + up * (above_k - below_k)
+        let low = &grid.value[row * columns..][..columns];
+        let high = &grid.value[(row + 1) * columns..][..columns];
+        let value = |&(left, part): &(usize, f64)| {
+            let below = low[left] + part * (low[left + 1] - low[left]);
+            let above = high[left] + part * (high[left + 1] - high[left]);
+            below + up * (above - below)
         };
-        let share = |place| (temperature_k(place) - range_k.start) * per_kelvin;
+        let share = |place| (value(place) - range.start) * per_unit;
         canvas.fill_row(across.start, y, along_x.iter().map(|place| colour(&colours, share(place))));
     }
 }
 
-/// Fills the colour bar, coldest below.
+/// Fills the colour bar, least below.
 pub(super) fn fill_bar(canvas: &mut Canvas, (across, down): &Window) {
     let colours = colours();
     for y in down.clone() {
@@ -51,7 +51,7 @@ fn neighbours(pixel: usize, pixels: usize, points: usize) -> (usize, f64) {
     (before, place - before as f64)
 }
 
-/// The scale of colours, from the coldest to the hottest: working one out for each pixel would take too long.
+/// The scale of colours, from the least to the largest: working one out for each pixel would take too long.
 fn colours() -> Vec<[u8; 3]> {
     let colour = |index: usize| colorous::INFERNO.eval_rational(index, SHADES).as_array();
     (0..SHADES).map(colour).collect()
@@ -80,7 +80,7 @@ mod tests {
         assert_eq!(canvas.get(50, 0), colours[SHADES - 1]);
         assert_eq!([canvas.get(0, 50), canvas.get(100, 50)], [colours[0]; 2]);
         // Half way between two rows of the grid the colour is between theirs.
-        let between_k = 0.5 * (grid.temperature_k[30 * 81 + 40] + grid.temperature_k[31 * 81 + 40]);
+        let between_k = 0.5 * (grid.value[30 * 81 + 40] + grid.value[31 * 81 + 40]);
         let mut fine = Canvas::new(101, 81);
         fill_field(&mut fine, &grid, &(0..101, 0..81), &(293.0..1493.0));
         assert_eq!(fine.get(50, 80 - 61), colour(&colours, (between_k - 293.0) / 1200.0));

@@ -41,7 +41,7 @@ pub use picture_data::{Pictures, SectionGrid};
 pub use pictures::PictureWriter;
 pub use progress::Progress;
 pub use schedule::Schedule;
-pub use summary::{Energy, Pool, PoolSize, Status, Summary, Weld};
+pub use summary::{Energy, Pool, PoolSize, Status, StressEnd, Summary, Weld};
 pub use vtu::Precision;
 
 /// The values of one field, one entry a particle.

@@ -1,6 +1,6 @@
-//! What a picture shows: temperatures on a plain regular grid, as the measuring code sampled them.
+//! What a picture shows: values on a plain regular grid, as the measuring code sampled them.
 
-/// A cut through the temperature field, sampled on a regular grid.
+/// A cut through a field, sampled on a regular grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionGrid {
     /// What the picture shows, such as "Section through the beam, t = 5 ms".
@@ -13,10 +13,12 @@ pub struct SectionGrid {
     pub x_m: Vec<f64>,
     /// Rows of the grid, ascending and evenly spaced.
     pub y_m: Vec<f64>,
-    /// Temperatures, row after row (`y` outer, `x` inner); not a number means outside the part.
-    pub temperature_k: Vec<f64>,
-    /// Isotherms to draw as lines, with their names, such as "liquidus".
-    pub isotherms_k: Vec<(f64, &'static str)>,
+    /// What the values are, with their unit, such as "temperature, K".
+    pub quantity: &'static str,
+    /// Values, row after row (`y` outer, `x` inner); not a number means outside the part.
+    pub value: Vec<f64>,
+    /// Levels of the value to draw as lines, with their names, such as "liquidus".
+    pub levels: Vec<(f64, &'static str)>,
 }
 
 /// The pictures of one moment.
@@ -34,16 +36,17 @@ impl SectionGrid {
             (0..81).map(|index| (index as f64 - 40.0) * 25e-6).collect(),
             (0..41).map(|index| (index as f64 - 40.0) * 25e-6).collect(),
         );
-        let value = |x: f64, y: f64| 293.0 + 1200.0 * (-(x * x + 1.6 * y * y) / 2.5e-7).exp();
-        let temperature_k = y_m.iter().flat_map(|&y| x_m.iter().map(move |&x| value(x, y))).collect();
+        let rise = |x: f64, y: f64| 293.0 + 1200.0 * (-(x * x + 1.6 * y * y) / 2.5e-7).exp();
+        let value = y_m.iter().flat_map(|&y| x_m.iter().map(move |&x| rise(x, y))).collect();
         SectionGrid {
             title: "Section through the beam, t = 5 ms".into(),
             x_label: "across the beam x",
             y_label: "height z",
             x_m,
             y_m,
-            temperature_k,
-            isotherms_k: vec![(933.0, "liquidus"), (873.0, "solidus")],
+            quantity: "temperature, K",
+            value,
+            levels: vec![(933.0, "liquidus"), (873.0, "solidus")],
         }
     }
 }

@@ -69,8 +69,9 @@ mod tests {
             y_label: "y",
             x_m: vec![0.0, 1.0],
             y_m: vec![0.0, 1.0],
-            temperature_k: vec![1.0, 2.0, 3.0, 4.0],
-            isotherms_k: vec![(2.5, "liquidus")],
+            quantity: "temperature, K",
+            value: vec![1.0, 2.0, 3.0, 4.0],
+            levels: vec![(2.5, "liquidus")],
         };
         pictures.every(&view(Some(Pictures { sections: vec![("top".into(), grid)] }))).unwrap();
         assert!(there("top.png") && !there("history.png"));

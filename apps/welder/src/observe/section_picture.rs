@@ -1,4 +1,4 @@
-//! Draws a section: the temperature as colour, isotherms as lines, both axes in millimetres and to the same scale.
+//! Draws a section: the value as colour, some of its levels as lines, both axes in millimetres and to the same scale.
 
 use super::canvas::{Area, Canvas, DrawError, FONT};
 use super::colour_field::{Window, fill_bar, fill_field};
@@ -31,9 +31,9 @@ const LINES: [RGBColor; 3] = [RGBColor(255, 255, 255), RGBColor(70, 215, 255), R
 pub fn draw_section(path: &Path, grid: &SectionGrid) -> Result<(), ObserveError> {
     let failed = |reason: String| ObserveError::Picture { path: path.to_path_buf(), reason };
     let (columns, rows) = (grid.x_m.len(), grid.y_m.len());
-    if columns < 2 || rows < 2 || grid.temperature_k.len() != columns * rows {
-        let count = grid.temperature_k.len();
-        return Err(failed(format!("a grid of {columns} x {rows} with {count} temperatures")));
+    if columns < 2 || rows < 2 || grid.value.len() != columns * rows {
+        let count = grid.value.len();
+        return Err(failed(format!("a grid of {columns} x {rows} with {count} values")));
     }
     painted(grid).map_err(|error| failed(error.to_string()))?.save(path)
 }
@@ -43,18 +43,19 @@ fn painted(grid: &SectionGrid) -> Result<Canvas, DrawError> {
     let content = LEFT + field.0 + RIGHT + BAR;
     let title = LEFT + text_width(&grid.title, LARGE)? + EDGE;
     let mut canvas = Canvas::new(content.max(title).max(KEY), HEAD + field.1 + FOOT);
-    let range_k = temperature_range(&grid.temperature_k);
-    let (window, bar) = canvas.draw(|area| draw_frames(area, grid, field, range_k.clone()))?;
-    fill_field(&mut canvas, grid, &window, &range_k);
+    let range = value_range(&grid.value);
+    let (window, bar) = canvas.draw(|area| draw_frames(area, grid, field, range.clone()))?;
+    fill_field(&mut canvas, grid, &window, &range);
     fill_bar(&mut canvas, &bar);
-    for (index, (level_k, _)) in grid.isotherms_k.iter().enumerate().rev() {
-        draw_isotherm(&mut canvas, grid, *level_k, LINES[index % LINES.len()], &window);
+    for (index, (level, _)) in grid.levels.iter().enumerate().rev() {
+        draw_level(&mut canvas, grid, *level, LINES[index % LINES.len()], &window);
     }
-    let entry = |(index, (level_k, name)): (usize, &(f64, &str))| KeyEntry {
-        name: format!("{name} {} K", tidy(*level_k)),
+    let unit = grid.quantity.rsplit(", ").next().unwrap_or_default();
+    let entry = |(index, (level, name)): (usize, &(f64, &str))| KeyEntry {
+        name: format!("{name} {} {unit}", tidy(*level)),
         strokes: with_halo(LINES[index % LINES.len()]),
     };
-    let entries: Vec<_> = grid.isotherms_k.iter().enumerate().map(entry).collect();
+    let entries: Vec<_> = grid.levels.iter().enumerate().map(entry).collect();
     draw_key(&mut canvas, &entries, (LEFT as i32, 46))?;
     Ok(canvas)
 }
@@ -71,7 +72,7 @@ fn draw_frames(
     area: &Area,
     grid: &SectionGrid,
     field: (u32, u32),
-    range_k: Range<f64>,
+    range: Range<f64>,
 ) -> Result<(Window, Window), DrawError> {
     write_text(area, &grid.title, (LEFT as i32, 14), LARGE)?;
     let (x_mm, y_mm) = (millimetres(&grid.x_m), millimetres(&grid.y_m));
@@ -96,7 +97,7 @@ fn draw_frames(
     let bar_at = (LEFT + field.0 + RIGHT, HEAD);
     let mut bar = ChartBuilder::on(&area.clone().shrink(bar_at, (BAR, field.1)))
         .set_label_area_size(LabelAreaPosition::Right, LABELS_OF_BAR)
-        .build_cartesian_2d(0.0..1.0, range_k)?;
+        .build_cartesian_2d(0.0..1.0, range)?;
     bar.configure_mesh()
         .disable_mesh()
         .disable_x_axis()
@@ -105,36 +106,33 @@ fn draw_frames(
         .label_style((FONT, SMALL))
         .set_tick_mark_size(LabelAreaPosition::Right, 8)
         .draw()?;
-    write_text(area, "temperature, K", (bar_at.0 as i32 - 16, (HEAD + field.1) as i32 + 24), SMALL)?;
+    // Below the bar, and inside the picture however long it is.
+    let right = area.dim_in_pixel().0 as i32 - text_width(grid.quantity, SMALL)? as i32 - EDGE as i32;
+    let label_at = (right.min(bar_at.0 as i32 - 16), (HEAD + field.1) as i32 + 24);
+    write_text(area, grid.quantity, label_at, SMALL)?;
     Ok((chart.plotting_area().get_pixel_range(), bar.plotting_area().get_pixel_range()))
 }
 
-fn draw_isotherm(
-    canvas: &mut Canvas,
-    grid: &SectionGrid,
-    level_k: f64,
-    line: RGBColor,
-    (across, down): &Window,
-) {
+fn draw_level(canvas: &mut Canvas, grid: &SectionGrid, level: f64, line: RGBColor, (across, down): &Window) {
     let columns = grid.x_m.len();
     let scale_x = (across.len() - 1) as f64 / (columns - 1) as f64;
     let scale_y = (down.len() - 1) as f64 / (grid.y_m.len() - 1) as f64;
     let place = |(column, row): (f64, f64)| {
         (f64::from(across.start) + scale_x * column, f64::from(down.end - 1) - scale_y * row)
     };
-    let pieces = contour(&grid.temperature_k, columns, level_k);
+    let pieces = contour(&grid.value, columns, level);
     // The whole halo first: the halo of a piece must not cover the line of its neighbour.
     for (width, colour) in with_halo(line) {
         pieces.iter().for_each(|&[from, to]| canvas.line(place(from), place(to), width, colour));
     }
 }
 
-fn temperature_range(temperatures_k: &[f64]) -> Range<f64> {
-    let finite = || temperatures_k.iter().copied().filter(|value| value.is_finite());
+fn value_range(values: &[f64]) -> Range<f64> {
+    let finite = || values.iter().copied().filter(|value| value.is_finite());
     let (low, high) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
     match high - low {
-        spread if spread >= 1.0 => low..high,
-        // A part at one temperature, or no part at all: a bar needs a range all the same.
+        spread if spread >= 1e-3 * high.abs() && spread > 0.0 => low..high,
+        // One value everywhere, or no part at all: a bar needs a range all the same.
         spread if spread >= 0.0 => low - 0.5..high + 0.5,
         _ => 0.0..1.0,
     }
@@ -162,9 +160,9 @@ mod tests {
 
     #[test]
     fn the_range_holds_for_a_cold_part_and_for_none() {
-        assert_eq!(temperature_range(&[300.0, f64::NAN, 900.0]), 300.0..900.0);
-        assert_eq!(temperature_range(&[300.0, 300.0]), 299.5..300.5);
-        assert_eq!(temperature_range(&[f64::NAN]), 0.0..1.0);
+        assert_eq!(value_range(&[300.0, f64::NAN, 900.0]), 300.0..900.0);
+        assert_eq!(value_range(&[300.0, 300.0]), 299.5..300.5);
+        assert_eq!(value_range(&[f64::NAN]), 0.0..1.0);
     }
 
     #[test]

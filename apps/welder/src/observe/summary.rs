@@ -61,6 +61,9 @@ pub struct Summary {
     pub weld: Weld,
     /// The energy ledger.
     pub energy: Energy,
+    /// Stress, where it was computed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stress: Option<StressEnd>,
     /// Dimensionless numbers of the physics present, by name.
     pub numbers: BTreeMap<String, f64>,
 }
@@ -102,6 +105,19 @@ pub struct Weld {
     pub volume_m3: f64,
     /// When the last melt froze, if it did.
     pub solidified_at_s: Option<f64>,
+}
+
+/// Stress and deformation at the end of a run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct StressEnd {
+    /// Largest von Mises stress.
+    pub max_von_mises_pa: f64,
+    /// Largest displacement from the start.
+    pub max_displacement_m: f64,
+    /// Largest equivalent plastic strain.
+    pub max_plastic_strain: f64,
+    /// Kinetic energy of the body that settles over its elastic energy: how far it is from equilibrium.
+    pub unrest: f64,
 }
 
 /// Where the energy went.
@@ -172,6 +188,7 @@ mod tests {
             pool: Pool::default(),
             weld: Weld { solidified_at_s: Some(0.0123), ..Weld::default() },
             energy: Energy { residual_rel: -3.0e-16, ..Energy::default() },
+            stress: None,
             numbers: BTreeMap::from([("stefan".into(), 1.7)]),
         }
     }

@@ -6,8 +6,10 @@
 
 pub mod heat;
 pub mod rows;
+pub mod stress;
 
 use crate::particles::Particles;
+use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 use sph_integrate::StepLimit;
 
@@ -34,6 +36,16 @@ pub trait Physics<const D: usize> {
     /// What it has cost so far.
     fn cost(&self) -> Cost;
 
+    /// Stress and deformation of the moment, where this physics has them.
+    fn mechanics(&self) -> Option<Mechanics> {
+        None
+    }
+
+    /// Columns of its own that frames and pictures can show, by name with unit.
+    fn columns(&self) -> Vec<(&'static str, Column<D>)> {
+        Vec::new()
+    }
+
     /// Its private state beyond the shared columns, for a checkpoint.
     fn save(&self) -> Vec<u8>;
 
@@ -42,6 +54,30 @@ pub trait Physics<const D: usize> {
     /// # Errors
     /// A message when `state` is not of this physics.
     fn restore(&mut self, particles: &Particles<D>, state: &[u8]) -> Result<(), String>;
+}
+
+/// A column of particle values that exists only to be shown.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Column<const D: usize> {
+    /// One number a particle.
+    Scalar(Vec<f64>),
+    /// One vector a particle.
+    Vector(Vec<SVector<f64, D>>),
+}
+
+/// Stress and deformation of the part, mirror images not counted.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Mechanics {
+    /// Elastic energy \[J\].
+    pub strain: f64,
+    /// Kinetic energy of a body that settles over its elastic energy \[-\]: how far it is from equilibrium.
+    pub unrest: f64,
+    /// Largest displacement \[m\].
+    pub largest_displacement: f64,
+    /// Largest von Mises stress \[Pa\].
+    pub largest_von_mises: f64,
+    /// Largest equivalent plastic strain \[-\].
+    pub largest_plastic_strain: f64,
 }
 
 /// Energy that crossed the border of the particles \[J\], of the modelled part.

@@ -1,6 +1,6 @@
 //! `welder run`: builds a case, runs it with its observers, and says how it ended.
 
-use super::watch::{Shown, pictures, view};
+use super::watch::{Shown, last_pictures, pictures, view};
 use super::{Simulation, StepReport, level_plan, summary};
 use crate::case::scene::Levels;
 use crate::case::source::Source;
@@ -326,6 +326,8 @@ impl Run {
         let time = self.simulation.time();
         self.pulse();
         let wants_pictures = self.pictures && self.picture_moment(moment);
+        let last = self.pictures && moment == Moment::Finish && !wants_pictures;
+        let last = last.then(|| last_pictures(&self.simulation));
         let at_end = matches!(moment, Moment::Init | Moment::Finish);
         if !at_end && !wants_pictures && !self.observers.iter().any(|observer| observer.is_due(time)) {
             return Ok(());
@@ -337,7 +339,7 @@ impl Run {
         if wants_fields {
             shown.fill(&self.simulation);
         }
-        let drawn = wants_pictures.then(|| pictures(&self.simulation));
+        let drawn = if wants_pictures { Some(pictures(&self.simulation)) } else { last };
         let view = view(&self.simulation, &self.last, wants_fields.then_some(&shown), drawn);
         for observer in &mut self.observers {
             match moment {
@@ -414,7 +416,7 @@ fn observers(case: &Case, folder: &Path, quiet: bool) -> Vec<Box<dyn Observer<3>
     let history = HistoryWriter::new(folder.join("history.csv"), scene.history_interval_s());
     let mut observers: Vec<Box<dyn Observer<3>>> = vec![Box::new(Progress::new(quiet)), Box::new(history)];
     if scene.output.frames {
-        let fields = scene.output.fields.clone();
+        let fields = scene.frame_fields();
         observers.push(Box::new(FrameWriter::new(
             folder,
             scene.frame_interval_s(),

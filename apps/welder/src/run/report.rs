@@ -3,7 +3,9 @@
 use super::Simulation;
 use crate::measure::Extent;
 use crate::model::Model;
-use crate::observe::{Energy, Pool, PoolSize, Status, Summary, Weld, peak_memory_bytes, process_cpu_s};
+use crate::observe::{
+    Energy, Pool, PoolSize, Status, StressEnd, Summary, Weld, peak_memory_bytes, process_cpu_s,
+};
 use std::collections::BTreeMap;
 
 /// The summary of a run that took `wall_s`, of which `setup_s` before its first step.
@@ -11,6 +13,7 @@ pub fn summary(simulation: &Simulation, status: Status, wall_s: f64, setup_s: f6
     let (records, ledger, cost) = (simulation.records(), simulation.ledger(), simulation.cost());
     let (pool, solidus) = (sizes(&records.liquidus), sizes(&records.solidus));
     let weld = simulation.gauge().weld();
+    let (mechanics, copies) = (simulation.mechanics(), simulation.gauge().copies());
     let loop_s = (wall_s - setup_s).max(f64::MIN_POSITIVE);
     Summary {
         status,
@@ -50,9 +53,15 @@ pub fn summary(simulation: &Simulation, status: Status, wall_s: f64, setup_s: f6
             latent_j: ledger.latent,
             lost_j: ledger.lost,
             kinetic_j: 0.0,
-            strain_j: 0.0,
+            strain_j: mechanics.map_or(0.0, |mechanics| copies * mechanics.strain),
             residual_rel: ledger.residual,
         },
+        stress: mechanics.map(|mechanics| StressEnd {
+            max_von_mises_pa: mechanics.largest_von_mises,
+            max_displacement_m: mechanics.largest_displacement,
+            max_plastic_strain: mechanics.largest_plastic_strain,
+            unrest: mechanics.unrest,
+        }),
         numbers: numbers(simulation.model()),
     }
 }

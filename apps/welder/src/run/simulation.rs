@@ -5,7 +5,7 @@ use crate::build::{LevelPlan, Workpiece};
 use crate::measure::{Extent, Gauge, Measure};
 use crate::model::{Model, ModelError};
 use crate::particles::Particles;
-use crate::physics::{Cost, Exchange, Failure, Physics, heat::Heat};
+use crate::physics::{Column, Cost, Exchange, Failure, Mechanics, Physics, heat::Heat, stress::Stress};
 use serde::{Deserialize, Serialize};
 use sph_integrate::{StepLimit, smallest};
 use std::collections::BTreeMap;
@@ -62,7 +62,10 @@ impl Simulation {
     /// [`ModelError`] when a crate refuses what the case asks for.
     pub fn with_plan(model: Model, plan: &LevelPlan<3>) -> Result<Self, ModelError> {
         let workpiece = Workpiece::new(&model, plan);
-        let physics: Vec<Box<dyn Physics<3>>> = vec![Box::new(Heat::new(&model, &workpiece)?)];
+        let mut physics: Vec<Box<dyn Physics<3>>> = vec![Box::new(Heat::new(&model, &workpiece)?)];
+        if let Some(stress) = &model.stress {
+            physics.push(Box::new(Stress::new(&model, stress, &workpiece)?));
+        }
         let mut gauge = Gauge::new(&model, &workpiece)?;
         let now = gauge.measure(&model, &workpiece.particles, 0.0, 0.0);
         let records = Records { peak_temperature: now.peak_temperature, now, ..Records::default() };
@@ -184,6 +187,16 @@ impl Simulation {
             total.rejected_steps += cost.rejected_steps;
         }
         total
+    }
+
+    /// Stress and deformation now, where the scene computes them.
+    pub fn mechanics(&self) -> Option<Mechanics> {
+        self.physics.iter().find_map(|physics| physics.mechanics())
+    }
+
+    /// Columns that physics have of their own, by name with unit; to be shown.
+    pub fn columns(&self) -> Vec<(&'static str, Column<3>)> {
+        self.physics.iter().flat_map(|physics| physics.columns()).collect()
     }
 
     /// The energy ledger now.

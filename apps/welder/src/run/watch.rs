@@ -3,6 +3,7 @@
 use super::{Simulation, StepReport};
 use crate::observe::{Field, HistoryRow, Pictures, SectionGrid, Values, View};
 use crate::particles::{LIQUID, MUSHY, SOLID};
+use crate::physics::Column;
 
 /// Columns that exist only to be shown.
 #[derive(Default)]
@@ -12,6 +13,8 @@ pub(super) struct Shown {
     liquid_fraction: Vec<f64>,
     phase: Vec<u8>,
     was_molten: Vec<u8>,
+    /// Columns that physics have of their own.
+    own: Vec<(&'static str, Column<3>)>,
 }
 
 impl Shown {
@@ -32,13 +35,14 @@ impl Shown {
         self.phase = self.liquid_fraction.iter().map(phase).collect();
         let molten = |i: usize| u8::from(curve(i).liquid_fraction(particles.peak_enthalpy[i]) >= 1.0);
         self.was_molten = all.map(molten).collect();
+        self.own = simulation.columns();
     }
 
     fn fields<'a>(&'a self, simulation: &'a Simulation) -> Vec<Field<'a, 3>> {
         let particles = simulation.particles();
         let scalar = |name, values| Field { name, values: Values::Scalar(values) };
         let byte = |name, values| Field { name, values: Values::Byte(values) };
-        vec![
+        let mut fields = vec![
             scalar("temperature_k", &self.temperature),
             scalar("peak_temperature_k", &self.peak_temperature),
             scalar("liquid_fraction", &self.liquid_fraction),
@@ -47,7 +51,15 @@ impl Shown {
             byte("phase", &self.phase),
             byte("was_molten", &self.was_molten),
             byte("material", &particles.material),
-        ]
+        ];
+        fields.extend(self.own.iter().map(|(name, column)| {
+            let values = match column {
+                Column::Scalar(values) => Values::Scalar(values.as_slice()),
+                Column::Vector(values) => Values::Vector(values.as_slice()),
+            };
+            Field { name, values }
+        }));
+        fields
     }
 }
 
@@ -75,6 +87,7 @@ pub(super) fn view<'a>(
 
 fn history(simulation: &Simulation, last: &StepReport) -> HistoryRow {
     let (now, ledger) = (&simulation.records().now, simulation.ledger());
+    let mechanics = simulation.mechanics();
     HistoryRow {
         time_s: simulation.time(),
         step: simulation.steps(),
@@ -90,32 +103,78 @@ fn history(simulation: &Simulation, last: &StepReport) -> HistoryRow {
         energy_stored_j: ledger.sensible + ledger.latent,
         energy_lost_j: ledger.lost,
         energy_residual_rel: ledger.residual,
+        max_von_mises_pa: mechanics.map(|mechanics| mechanics.largest_von_mises),
+        max_displacement_m: mechanics.map(|mechanics| mechanics.largest_displacement),
+        max_plastic_strain: mechanics.map(|mechanics| mechanics.largest_plastic_strain),
     }
 }
 
-/// Sections through the beam (or the hottest middle) and the top face, of the finest grid.
+/// Sections through the beam (or the middle), of the finest grid: of temperature with the top face, and of stress where it
+/// is computed.
 pub(super) fn pictures(simulation: &Simulation) -> Pictures {
-    let (model, gauge) = (simulation.model(), simulation.gauge());
-    let material = &model.materials[0];
-    let isotherms_k = vec![(material.liquidus, "liquidus"), (material.solidus, "solidus")];
+    let mut sections = temperatures(simulation);
+    sections.extend(stresses(simulation, "stress"));
+    Pictures { sections }
+}
+
+/// The stress that is left at the end, where it is computed.
+pub(super) fn last_pictures(simulation: &Simulation) -> Pictures {
+    Pictures { sections: stresses(simulation, "residual_stress") }
+}
+
+/// Where sections cut \[m\]: through the beam, or the middle.
+fn cut(simulation: &Simulation) -> [f64; 2] {
+    let model = simulation.model();
     let (low, high) = model.bounds();
     let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-    let time = simulation.time();
-    let [x, y] = model.laser.as_ref().map_or(middle, |laser| {
+    model.laser.as_ref().map_or(middle, |laser| {
         let lit = laser.track().end_time();
-        laser.track().position(time.min(lit))
-    });
-    let when = format!("t = {:.3} ms", 1e3 * time);
+        laser.track().position(simulation.time().min(lit))
+    })
+}
+
+/// Sections of the von Mises stress, for files whose names begin with `stem`.
+fn stresses(simulation: &Simulation, stem: &str) -> Vec<(String, SectionGrid)> {
+    let columns = simulation.columns();
+    let stress = columns.iter().find(|(name, _)| *name == "von_mises_pa");
+    let Some((_, Column::Scalar(stress))) = stress else { return Vec::new() };
+    let megapascals: Vec<f64> = stress.iter().map(|stress| 1e-6 * stress).collect();
+    let place = cut(simulation);
+    let when = format!("t = {:.3} ms", 1e3 * simulation.time());
+    let section = |(along, x_label): (usize, &'static str)| {
+        let map = simulation.gauge().section_of(&megapascals, 1 - along, place[1 - along]);
+        let grid = SectionGrid {
+            title: format!("Section along {x_label}, {when}"),
+            x_label,
+            y_label: "z",
+            x_m: map.x,
+            y_m: map.y,
+            quantity: "von Mises stress, MPa",
+            value: map.value,
+            levels: Vec::new(),
+        };
+        (format!("{stem}_{x_label}"), grid)
+    };
+    [(0, "x"), (1, "y")].map(section).to_vec()
+}
+
+fn temperatures(simulation: &Simulation) -> Vec<(String, SectionGrid)> {
+    let (model, gauge) = (simulation.model(), simulation.gauge());
+    let material = &model.materials[0];
+    let levels = vec![(material.liquidus, "liquidus"), (material.solidus, "solidus")];
+    let [x, y] = cut(simulation);
+    let when = format!("t = {:.3} ms", 1e3 * simulation.time());
     let grid = |title: String, x_label, y_label, map: crate::measure::Map| SectionGrid {
         title,
         x_label,
         y_label,
         x_m: map.x,
         y_m: map.y,
-        temperature_k: map.temperature,
-        isotherms_k: isotherms_k.clone(),
+        quantity: "temperature, K",
+        value: map.value,
+        levels: levels.clone(),
     };
-    let sections = vec![
+    vec![
         (
             "section_x".into(),
             grid(format!("Section along x through the beam, {when}"), "x", "z", gauge.section(1, y)),
@@ -125,6 +184,5 @@ pub(super) fn pictures(simulation: &Simulation) -> Pictures {
             grid(format!("Section along y through the beam, {when}"), "y", "z", gauge.section(0, x)),
         ),
         ("top".into(), grid(format!("From above, {when}"), "x", "y", gauge.top())),
-    ];
-    Pictures { sections }
+    ]
 }

@@ -4,6 +4,7 @@ pub mod geometry_rows;
 pub mod material_rows;
 pub mod path_rows;
 pub mod scene_rows;
+pub mod stress_rows;
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -254,18 +254,30 @@ impl<const D: usize> TotalLagrangian<D> {
     #[must_use]
     pub fn energies(&self, temperatures: &[f64], inelastic_strains: &[SymmetricTensor<D>]) -> (f64, f64) {
         let point = PointLaw::new(&self.material, &self.controls);
+        let mut hourglass = 0.0;
+        self.reference.links.for_each(|i, j, weight, both| {
+            let unseen = |k: usize| self.unseen(i, j, k, weight).norm_squared() * weight.scalar();
+            hourglass += 0.25 * point.hourglass_modulus * (unseen(i) + if both { unseen(j) } else { 0.0 });
+        });
+        (self.elastic_energy(self.masses.len(), temperatures, inelastic_strains), hourglass)
+    }
+
+    /// Elastic energy of the first `particles` particles, as [`TotalLagrangian::energies`] has it.
+    #[must_use]
+    pub fn elastic_energy(
+        &self,
+        particles: usize,
+        temperatures: &[f64],
+        inelastic_strains: &[SymmetricTensor<D>],
+    ) -> f64 {
+        let point = PointLaw::new(&self.material, &self.controls);
         let elastic = |i: usize| {
             let stretch = point.stretch(temperatures[i], self.reference_stretches[i]);
             let strain = elastic_strain(&self.deformations[i], stretch) - inelastic_strains[i];
             elastic_energy(&strain, stretch, self.material.solver_moduli())
                 / self.reference.inverse_volumes[i]
         };
-        let mut hourglass = 0.0;
-        self.reference.links.for_each(|i, j, weight, both| {
-            let unseen = |k: usize| self.unseen(i, j, k, weight).norm_squared() * weight.scalar();
-            hourglass += 0.25 * point.hourglass_modulus * (unseen(i) + if both { unseen(j) } else { 0.0 });
-        });
-        ((0..self.masses.len()).map(elastic).sum(), hourglass)
+        (0..particles).map(elastic).sum()
     }
 
     /// x_i - x_j - F_k (X_i - X_j) \[m\].

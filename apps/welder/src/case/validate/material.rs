@@ -5,7 +5,8 @@ use super::super::material::Property;
 use super::super::problem::Problem;
 use super::findings::Findings;
 use super::plausible::{
-    BOILING, CONDUCTIVITY, DENSITY, HEAT_CAPACITY, LATENT_HEAT, MELTING, Range, TABLE_TEMPERATURE, number,
+    BOILING, CONDUCTIVITY, DENSITY, EXPANSION, HEAT_CAPACITY, LATENT_HEAT, MELTING, POISSON, Range,
+    TABLE_TEMPERATURE, YIELD, YOUNG, number,
 };
 
 /// Least distance of solidus and liquidus in kelvin; below it the slope of the enthalpy curve has no use.
@@ -23,8 +24,7 @@ pub fn check(card: &CardSource) -> Vec<Problem> {
         check_order(&mut findings, card);
     }
     for (name, property) in card.card.properties() {
-        let range = if name.starts_with("heat") { &HEAT_CAPACITY } else { &CONDUCTIVITY };
-        check_property(&mut findings, name, property, range);
+        check_property(&mut findings, name, property, property_range(name));
         check_source(&mut findings, name, &property.source);
     }
     findings.into_problems()
@@ -35,7 +35,18 @@ fn quantity_range(name: &str) -> &'static Range {
         "density_kg_m3" => &DENSITY,
         "latent_heat_j_kg" => &LATENT_HEAT,
         "boiling_k" => &BOILING,
+        "young_pa" => &YOUNG,
+        "poisson" => &POISSON,
         _ => &MELTING,
+    }
+}
+
+fn property_range(name: &str) -> &'static Range {
+    match name {
+        "heat_capacity_solid_j_kg_k" | "heat_capacity_liquid_j_kg_k" => &HEAT_CAPACITY,
+        "expansion_1_k" => &EXPANSION,
+        "yield_pa" => &YIELD,
+        _ => &CONDUCTIVITY,
     }
 }
 

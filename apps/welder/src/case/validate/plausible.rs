@@ -70,6 +70,17 @@ pub const HEAT_CAPACITY: Range =
 /// Thermal conductivity of a metal.
 pub const CONDUCTIVITY: Range =
     range("W/(m K)", 1.0, 3000.0, &[("W/(mm K)", 1e3, 0.0), ("W/(cm K)", 100.0, 0.0)]);
+/// Young's modulus of a metal.
+pub const YOUNG: Range = range("Pa", 1e8, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
+/// Poisson's ratio of a metal.
+pub const POISSON: Range = range("", 0.0, 0.495, PERCENT);
+/// Coefficient of linear thermal expansion.
+pub const EXPANSION: Range = Range { or_zero: true, ..range("1/K", 1e-7, 2e-4, &[("1e-6/K", 1e-6, 0.0)]) };
+/// Yield stress of a metal; zero where it has melted.
+pub const YIELD: Range =
+    Range { or_zero: true, ..range("Pa", 1e5, 1e10, &[("MPa", 1e6, 0.0), ("GPa", 1e9, 0.0)]) };
+/// Crossings of the part by a wave in one step of heat.
+pub const CROSSINGS: Range = range("", 0.01, 1e3, &[]);
 /// Latent heat of fusion of a metal; zero leaves melting without heat.
 pub const LATENT_HEAT: Range =
     Range { or_zero: true, ..range("J/kg", 5e3, 5e6, &[("kJ/kg or J/g", 1e3, 0.0)]) };

@@ -1,7 +1,7 @@
 //! Physics, time, output and budget.
 
 use super::super::nearest::suggestion;
-use super::super::scene::{Heat, OUTPUT_FIELDS, Physics, Scene, Stepping};
+use super::super::scene::{Heat, OUTPUT_FIELDS, Physics, STRESS_FIELDS, Scene, Stepping};
 use super::findings::Findings;
 use super::plausible::{DURATION, SMOOTHING_RATIO, STEP_FACTOR, TOLERANCE, number};
 
@@ -31,6 +31,9 @@ fn check_physics(findings: &mut Findings, scene: &Scene) {
         );
         match physics {
             Physics::Heat(heat) => check_heat(findings, &format!("physics.{index}"), heat),
+            Physics::Stress(stress) => {
+                super::stress::check(findings, scene, &format!("physics.{index}"), stress)
+            }
         }
     }
 }
@@ -80,12 +83,19 @@ fn check_intervals(findings: &mut Findings, scene: &Scene, end_is_fine: bool) {
 }
 
 fn check_fields(findings: &mut Findings, scene: &Scene) {
-    let fields = &scene.output.fields;
+    let Some(fields) = &scene.output.fields else { return };
+    let stress = if scene.stress().is_some() { STRESS_FIELDS } else { &[] };
+    let all: Vec<&str> = OUTPUT_FIELDS.iter().chain(stress).copied().collect();
     for (index, name) in fields.iter().enumerate() {
         let place = format!("output.fields.{index}");
-        let known = OUTPUT_FIELDS.contains(&name.as_str());
+        let known = all.contains(&name.as_str());
         let twice = fields[..index].contains(name);
-        findings.require(known, &place, "there is no such output field", suggestion(name, OUTPUT_FIELDS));
+        let reason = if STRESS_FIELDS.contains(&name.as_str()) {
+            "a field of Stress, which the scene does not list under physics"
+        } else {
+            "there is no such output field"
+        };
+        findings.require(known, &place, reason, suggestion(name, &all));
         findings.require(!twice, &place, "listed twice", "list each field once");
     }
 }

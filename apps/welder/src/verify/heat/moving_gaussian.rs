@@ -100,8 +100,8 @@ fn in_section(gauge: &Gauge, y: f64, x: f64, z: f64) -> f64 {
     // From the top face down: its own values first, then the layers, which the section gives from below.
     let depths: Vec<f64> = std::iter::once(0.0).chain(section.y.iter().rev().map(|z| -z)).collect();
     let value = |k: usize, i: usize| match k {
-        0 => top.temperature[line * width + i],
-        _ => section.temperature[(section.y.len() - k) * width + i],
+        0 => top.value[line * width + i],
+        _ => section.value[(section.y.len() - k) * width + i],
     };
     let (column, row) = (around(&section.x, x), around(&depths, z));
     let at_depth = |k: usize| {

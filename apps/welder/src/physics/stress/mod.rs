@@ -1,0 +1,314 @@
+//! Thermal stress: a thermoelastic body with yield that follows the temperatures of heat.
+//!
+//! Sound would cross a part some ten thousand times during a weld, and nothing of it matters: stress is in equilibrium with
+//! the temperatures of the moment (quasi-static). So each step of heat gives the body a time of its own to settle in, by
+//! damped motion while the temperatures go from the old ones to the new: dynamic relaxation, without a matrix. Heat does not
+//! feel the deformation: in metals elastic strain makes less than 1 K, and shapes change by about 1 %.
+
+mod copies;
+mod state;
+
+use super::{Column, Cost, Exchange, Failure, Mechanics, Physics};
+use crate::build::Workpiece;
+use crate::model::{Model, ModelError, StressModel};
+use crate::particles::Particles;
+use copies::Copies;
+use nalgebra::{SMatrix, Vector3};
+use rayon::prelude::*;
+use sph_integrate::StepLimit;
+use sph_kernel::{Kernel, KernelKind};
+use sph_neighbors::{PairReach, SearchMethod};
+use sph_solid::{
+    Controls, DEFAULT_STEP_FACTOR, Inelastic, Material, Motion, ReducedSound, ReferenceColumns,
+    SymmetricTensor, TotalLagrangian, pressure_wave_speed,
+};
+use sph_thermal::phase::EnthalpyCurve;
+use state::State;
+
+/// Kernel and smoothing length over spacing that the hourglass stiffness of [`Controls::default`] is made for.
+const KERNEL: KernelKind = KernelKind::Gaussian;
+const SMOOTHING_RATIO: f64 = 0.8;
+
+/// Velocities fade by this rate, in wave speeds over lengths of the part: near the critical damping of the slowest waves.
+const FADING: f64 = 2.0;
+
+/// Particles to a piece of work.
+const PIECE: usize = 2048;
+
+/// A body in the total-Lagrangian form, with the copies of its particles beyond mirror planes.
+pub struct Stress {
+    body: TotalLagrangian<3>,
+    copies: Copies,
+    curve: EnthalpyCurve,
+    state: State,
+    /// Accelerations of particles and copies \[m/s²\].
+    accelerations: Vec<Vector3<f64>>,
+    /// Temperatures of particles and copies at the stage in hand \[K\].
+    temperatures: Vec<f64>,
+    /// Temperatures at the end of the step in hand \[K\].
+    end_temperatures: Vec<f64>,
+    /// 1 where a particle moves, 0 where it is clamped.
+    free: Vec<f64>,
+    /// Step of the settling \[s\], of its own time.
+    step: f64,
+    /// Steps of settling in a step of heat.
+    steps: usize,
+    /// Share of a velocity that is left after a step.
+    fade: f64,
+}
+
+impl Stress {
+    /// The body of `workpiece`, stress-free at its start temperatures.
+    ///
+    /// # Errors
+    /// [`ModelError`] when the neighbour search or the solid crate refuses the particles.
+    pub fn new(model: &Model, stress: &StressModel, workpiece: &Workpiece) -> Result<Self, ModelError> {
+        let particles = &workpiece.particles;
+        let length = SMOOTHING_RATIO * workpiece.spacing;
+        let reach = Kernel::<3>::support_radius(KERNEL, length) * (1.0 + 1e-9);
+        let copies = Copies::new(model, workpiece, reach);
+        let positions = copies.all_positions(&particles.position);
+        let list = SearchMethod::default().find(&positions, PairReach::Uniform(reach))?;
+        let curve = model.curves[0].clone();
+        let own = particles.enthalpy.iter().map(|&enthalpy| curve.temperature(enthalpy)).collect();
+        let temperatures = copies.all_scalars(own);
+        let columns = ReferenceColumns {
+            positions: &positions,
+            volumes: &copies.all_scalars(particles.volume.clone()),
+            masses: &copies.all_scalars(particles.mass.clone()),
+            temperatures: &temperatures,
+            smoothing_lengths: &vec![length; positions.len()],
+            list_starts: list.starts(),
+            list_neighbors: list.indices(),
+        };
+        let material = Material {
+            expansion: stress.expansion.clone(),
+            sound: ReducedSound::none(stress.moduli),
+            yield_stress: Some(stress.yield_stress.clone()),
+        };
+        let body = TotalLagrangian::new(&columns, KERNEL, material, Controls::default())?;
+        let step = body.stable_step(DEFAULT_STEP_FACTOR);
+        let crossing =
+            largest_extent(model) / pressure_wave_speed(&stress.moduli, model.materials[0].density);
+        let count = positions.len();
+        let mut stress = Self {
+            free: free(model, stress, workpiece),
+            state: State::at_rest(particles.len(), count, temperatures.clone()),
+            accelerations: vec![Vector3::zeros(); count],
+            end_temperatures: temperatures.clone(),
+            temperatures,
+            step,
+            steps: (stress.settings.crossings * crossing / step).ceil() as usize,
+            fade: (-FADING * step / crossing).exp(),
+            body,
+            copies,
+            curve,
+        };
+        stress.accelerate();
+        Ok(stress)
+    }
+
+    /// Steps of settling in each step of heat.
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// Particles and the copies of them beyond mirror planes.
+    pub fn particles(&self) -> usize {
+        self.temperatures.len()
+    }
+
+    /// Directed pairs that one evaluation visits.
+    pub fn pairs(&self) -> usize {
+        // Once for the deformation, once for the forces, each in both directions.
+        4 * self.body.stored_pairs()
+    }
+
+    /// One damped kick-drift-kick step at the temperatures of the stage in hand.
+    fn settle(&mut self) {
+        let (dt, fade) = (self.step, self.fade);
+        let State { displacements, velocities, .. } = &mut self.state;
+        let owned = velocities.len();
+        let free = &self.free;
+        (
+            displacements[..owned].par_iter_mut(),
+            velocities.par_iter_mut(),
+            &self.accelerations[..owned],
+            free,
+        )
+            .into_par_iter()
+            .with_min_len(PIECE)
+            .for_each(|(displacement, velocity, acceleration, free)| {
+                *velocity += acceleration * (0.5 * dt * free);
+                *displacement += *velocity * dt;
+            });
+        self.accelerate();
+        (self.state.velocities.par_iter_mut(), &self.accelerations[..owned], &self.free)
+            .into_par_iter()
+            .with_min_len(PIECE)
+            .for_each(|(velocity, acceleration, free)| {
+                *velocity = (*velocity + acceleration * (0.5 * dt * free)) * fade;
+            });
+    }
+
+    /// Accelerations at the present displacements and the temperatures of the stage in hand.
+    fn accelerate(&mut self) {
+        let State { displacements, strains, equivalents, cost, .. } = &mut self.state;
+        self.copies.mirror(displacements);
+        let motion = Motion { displacements, velocities: &[], temperatures: &self.temperatures };
+        let mut inelastic = Inelastic { strains, equivalents };
+        self.body.accelerations(&motion, &mut inelastic, &mut self.accelerations);
+        cost.sweeps += 2;
+        cost.pair_visits += 4 * self.body.stored_pairs() as u64;
+    }
+
+    /// Temperatures a `share` of the way from the last step's end to this one's.
+    fn warm(&mut self, share: f64) {
+        (self.temperatures.par_iter_mut(), &self.state.temperatures, &self.end_temperatures)
+            .into_par_iter()
+            .with_min_len(PIECE)
+            .for_each(|(now, start, end)| *now = start + share * (end - start));
+    }
+
+    /// Stress of the particles in true units \[Pa\].
+    fn stresses(&self) -> Vec<SymmetricTensor<3>> {
+        let count = self.temperatures.len();
+        let (mut in_plane, mut out_of_plane) = (vec![SMatrix::zeros(); count], vec![0.0; count]);
+        self.body.stresses(&self.temperatures, &self.state.strains, &mut in_plane, &mut out_of_plane);
+        in_plane.truncate(self.state.velocities.len());
+        in_plane.into_iter().map(|in_plane| SymmetricTensor { in_plane, out_of_plane: 0.0 }).collect()
+    }
+
+    /// What keeps the run from going on: a displacement that is no number, or so large that it cannot be elastic.
+    fn problem(&self, particles: &Particles<3>, time: f64, spacing: f64) -> Option<Failure> {
+        let owned = &self.state.displacements[..particles.len()];
+        let wild = |u: &&Vector3<f64>| {
+            let farthest = u.amax();
+            !farthest.is_finite() || farthest > LARGEST_DISPLACEMENT * spacing
+        };
+        let at = owned.iter().position(|u| wild(&u))?;
+        Some(Failure {
+            physics: "stress",
+            what: format!("a particle has moved by {:.2e} m", owned[at].norm()),
+            time,
+            at: Some(particles.position[at].into()),
+            advice: "try more crossings, a finer spacing, or a wider range from solidus to liquidus".into(),
+        })
+    }
+}
+
+/// A displacement above this many spacings is none of a body that warms and cools.
+const LARGEST_DISPLACEMENT: f64 = 100.0;
+
+impl Physics<3> for Stress {
+    fn name(&self) -> &'static str {
+        "stress"
+    }
+
+    /// Stress takes steps of its own within those of heat.
+    fn step_limit(&self, _time: f64) -> StepLimit {
+        StepLimit { name: "stress", dt_s: f64::INFINITY }
+    }
+
+    fn next_event(&self, _time: f64) -> Option<f64> {
+        None
+    }
+
+    fn advance(&mut self, particles: &mut Particles<3>, time: f64, step: f64) -> Result<f64, Failure> {
+        let own = self.end_temperatures[..particles.len()].par_iter_mut().zip(&particles.enthalpy);
+        own.for_each(|(temperature, &enthalpy)| *temperature = self.curve.temperature(enthalpy));
+        self.copies.copy(&mut self.end_temperatures);
+        for k in 1..=self.steps {
+            self.warm(k as f64 / self.steps as f64);
+            self.settle();
+        }
+        self.state.temperatures.copy_from_slice(&self.end_temperatures);
+        match self.problem(particles, time + step, particles.spacing[0]) {
+            Some(failure) => Err(failure),
+            None => Ok(step),
+        }
+    }
+
+    fn energy(&self) -> Exchange {
+        Exchange::default()
+    }
+
+    fn cost(&self) -> Cost {
+        self.state.cost
+    }
+
+    fn mechanics(&self) -> Option<Mechanics> {
+        let owned = self.state.velocities.len();
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        let speeds = self.state.velocities.iter().map(|v| v.norm_squared());
+        let kinetic: f64 = speeds.zip(self.body.masses()).map(|(square, mass)| 0.5 * mass * square).sum();
+        let strain = self.body.elastic_energy(owned, &self.temperatures, &self.state.strains);
+        Some(Mechanics {
+            strain,
+            unrest: kinetic / strain.max(f64::MIN_POSITIVE),
+            largest_displacement: largest(&mut self.state.displacements[..owned].iter().map(|u| u.norm())),
+            largest_von_mises: largest(&mut self.stresses().iter().map(SymmetricTensor::von_mises)),
+            largest_plastic_strain: largest(&mut self.state.equivalents[..owned].iter().copied()),
+        })
+    }
+
+    fn columns(&self) -> Vec<(&'static str, Column<3>)> {
+        let owned = self.state.velocities.len();
+        let stresses = self.stresses();
+        let principal = |stress: &SymmetricTensor<3>| {
+            let mut values: [f64; 3] = stress.in_plane.symmetric_eigenvalues().into();
+            values.sort_by(|a, b| b.total_cmp(a));
+            Vector3::from(values)
+        };
+        vec![
+            ("displacement_m", Column::Vector(self.state.displacements[..owned].to_vec())),
+            ("von_mises_pa", Column::Scalar(stresses.iter().map(SymmetricTensor::von_mises).collect())),
+            ("principal_stress_pa", Column::Vector(stresses.iter().map(principal).collect())),
+            ("plastic_strain", Column::Scalar(self.state.equivalents[..owned].to_vec())),
+        ]
+    }
+
+    fn save(&self) -> Vec<u8> {
+        self.state.save(&self.accelerations)
+    }
+
+    fn restore(&mut self, _particles: &Particles<3>, saved: &[u8]) -> Result<(), String> {
+        let (mut state, accelerations) = State::restore(saved, &self.state)?;
+        self.temperatures.copy_from_slice(&state.temperatures);
+        self.end_temperatures.copy_from_slice(&state.temperatures);
+        // The body finds its deformation from the displacements again; the saved strains and forces hold.
+        self.state = state.clone();
+        self.accelerate();
+        std::mem::swap(&mut self.state, &mut state);
+        self.accelerations = accelerations;
+        Ok(())
+    }
+}
+
+/// Longest side of the whole part, mirror image counted \[m\].
+fn largest_extent(model: &Model) -> f64 {
+    let mirrored = crate::physics::heat::mirrored(model);
+    let whole = |axis: usize| {
+        let doubled = mirrored.get(axis).is_some_and(|ends| ends[0] || ends[1]);
+        if doubled { 2.0 * model.size[axis] } else { model.size[axis] }
+    };
+    (0..3).map(whole).fold(0.0, f64::max)
+}
+
+/// 0 for the outermost particles of clamped faces, 1 for all others.
+fn free(model: &Model, stress: &StressModel, workpiece: &Workpiece) -> Vec<f64> {
+    let (low, high) = model.bounds();
+    let clamped = stress.settings.clamped.named();
+    let held = |position: &Vector3<f64>| {
+        let margin = workpiece.spacing;
+        let near = [
+            position.x - low[0],
+            high[0] - position.x,
+            position.y - low[1],
+            high[1] - position.y,
+            position.z - low[2],
+        ];
+        clamped.iter().zip(near).any(|((_, clamped), distance)| *clamped && distance < margin)
+    };
+    workpiece.particles.position.iter().map(|position| if held(position) { 0.0 } else { 1.0 }).collect()
+}
