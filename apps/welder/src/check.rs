@@ -134,7 +134,7 @@ fn stress_line(model: &Model, workpiece: &Workpiece) -> Result<Option<String>, M
     let stress = Stress::new(model, settings, workpiece)?;
     let seconds = 100.0 * (stress.steps() * stress.pairs()) as f64 / STRESS_PAIRS_PER_SECOND;
     Ok(Some(format!(
-        "  stress         {} particles with copies beyond mirror planes; {} steps of settling in a step of heat, about {seconds:.0} s for 100 of them on one core",
+        "  stress         {} particles with copies beyond mirror planes and clamps; {} steps of settling in a step of heat, about {seconds:.0} s for 100 of them on one core",
         stress.particles(),
         stress.steps(),
     )))

@@ -9,7 +9,7 @@ pub struct Stress {
     /// How often a pressure wave crosses the whole part while the body settles in one step of heat: the work grows with it,
     /// what is left of the motion falls. Default: 1.
     pub crossings: f64,
-    /// Faces whose outermost particles do not move. Default: none, the part is free.
+    /// Faces that do not move. Default: none, the part is free.
     pub clamped: Clamped,
 }
 

@@ -6,6 +6,9 @@ use super::super::scene::{Face, Levels, Scene, Stress};
 use super::findings::Findings;
 use super::plausible::{CROSSINGS, number};
 
+/// Spacings that a stressed part is thick at least: rows reach that far beyond mirror planes and clamps.
+const LEAST_LAYERS: f64 = 5.0;
+
 /// Checks the settings of `stress`, which stand at `field`, against the scene.
 pub fn check(findings: &mut Findings, scene: &Scene, field: &str, stress: &Stress) {
     findings.within(&format!("{field}.crossings"), stress.crossings, &CROSSINGS);
@@ -24,6 +27,12 @@ pub fn check(findings: &mut Findings, scene: &Scene, field: &str, stress: &Stres
         let same = region.material.as_ref().is_none_or(|material| *material == scene.part.material);
         let remedy = "leave the region's material out, or Stress";
         findings.require(same, &format!("part.regions.{index}.material"), reason, remedy);
+    }
+    for (axis, size_m) in scene.part.size_m.into_iter().enumerate() {
+        let count = size_m / scene.resolution.spacing_m;
+        let reason = format!("{} spacings thick, where Stress needs {LEAST_LAYERS}", number(count));
+        let remedy = format!("accepted: resolution.spacing_m at most {}", number(size_m / LEAST_LAYERS));
+        findings.require(count > LEAST_LAYERS - 1e-6, &format!("part.size_m.{axis}"), &reason, remedy);
     }
     let faces = scene.part.faces.named();
     for (name, _) in stress.clamped.named().into_iter().filter(|(_, clamped)| *clamped) {

@@ -35,7 +35,7 @@ const FADING: f64 = 2.0;
 /// Particles to a piece of work.
 const PIECE: usize = 2048;
 
-/// A body in the total-Lagrangian form, with the copies of its particles beyond mirror planes.
+/// A body in the total-Lagrangian form, with the copies of its particles beyond mirror planes and clamped faces.
 pub struct Stress {
     body: TotalLagrangian<3>,
     copies: Copies,
@@ -47,8 +47,6 @@ pub struct Stress {
     temperatures: Vec<f64>,
     /// Temperatures at the end of the step in hand \[K\].
     end_temperatures: Vec<f64>,
-    /// 1 where a particle moves, 0 where it is clamped.
-    free: Vec<f64>,
     /// Step of the settling \[s\], of its own time.
     step: f64,
     /// Steps of settling in a step of heat.
@@ -66,16 +64,16 @@ impl Stress {
         let particles = &workpiece.particles;
         let length = SMOOTHING_RATIO * workpiece.spacing;
         let reach = Kernel::<3>::support_radius(KERNEL, length) * (1.0 + 1e-9);
-        let copies = Copies::new(model, workpiece, reach);
+        let copies = Copies::new(model, stress, workpiece, reach);
         let positions = copies.all_positions(&particles.position);
         let list = SearchMethod::default().find(&positions, PairReach::Uniform(reach))?;
         let curve = model.curves[0].clone();
-        let own = particles.enthalpy.iter().map(|&enthalpy| curve.temperature(enthalpy)).collect();
-        let temperatures = copies.all_scalars(own);
+        let own: Vec<f64> = particles.enthalpy.iter().map(|&enthalpy| curve.temperature(enthalpy)).collect();
+        let temperatures = copies.all_scalars(&own);
         let columns = ReferenceColumns {
             positions: &positions,
-            volumes: &copies.all_scalars(particles.volume.clone()),
-            masses: &copies.all_scalars(particles.mass.clone()),
+            volumes: &copies.all_scalars(&particles.volume),
+            masses: &copies.all_scalars(&particles.mass),
             temperatures: &temperatures,
             smoothing_lengths: &vec![length; positions.len()],
             list_starts: list.starts(),
@@ -92,7 +90,6 @@ impl Stress {
             largest_extent(model) / pressure_wave_speed(&stress.moduli, model.materials[0].density);
         let count = positions.len();
         let mut stress = Self {
-            free: free(model, stress, workpiece),
             state: State::at_rest(particles.len(), count, temperatures.clone()),
             accelerations: vec![Vector3::zeros(); count],
             end_temperatures: temperatures.clone(),
@@ -113,7 +110,7 @@ impl Stress {
         self.steps
     }
 
-    /// Particles and the copies of them beyond mirror planes.
+    /// Particles and the copies of them beyond mirror planes and clamped faces.
     pub fn particles(&self) -> usize {
         self.temperatures.len()
     }
@@ -129,32 +126,26 @@ impl Stress {
         let (dt, fade) = (self.step, self.fade);
         let State { displacements, velocities, .. } = &mut self.state;
         let owned = velocities.len();
-        let free = &self.free;
-        (
-            displacements[..owned].par_iter_mut(),
-            velocities.par_iter_mut(),
-            &self.accelerations[..owned],
-            free,
-        )
+        (displacements[..owned].par_iter_mut(), velocities.par_iter_mut(), &self.accelerations[..owned])
             .into_par_iter()
             .with_min_len(PIECE)
-            .for_each(|(displacement, velocity, acceleration, free)| {
-                *velocity += acceleration * (0.5 * dt * free);
+            .for_each(|(displacement, velocity, acceleration)| {
+                *velocity += acceleration * (0.5 * dt);
                 *displacement += *velocity * dt;
             });
         self.accelerate();
-        (self.state.velocities.par_iter_mut(), &self.accelerations[..owned], &self.free)
+        (self.state.velocities.par_iter_mut(), &self.accelerations[..owned])
             .into_par_iter()
             .with_min_len(PIECE)
-            .for_each(|(velocity, acceleration, free)| {
-                *velocity = (*velocity + acceleration * (0.5 * dt * free)) * fade;
+            .for_each(|(velocity, acceleration)| {
+                *velocity = (*velocity + acceleration * (0.5 * dt)) * fade;
             });
     }
 
     /// Accelerations at the present displacements and the temperatures of the stage in hand.
     fn accelerate(&mut self) {
         let State { displacements, strains, equivalents, cost, .. } = &mut self.state;
-        self.copies.mirror(displacements);
+        self.copies.reflect(displacements);
         let motion = Motion { displacements, velocities: &[], temperatures: &self.temperatures };
         let mut inelastic = Inelastic { strains, equivalents };
         self.body.accelerations(&motion, &mut inelastic, &mut self.accelerations);
@@ -293,22 +284,4 @@ fn largest_extent(model: &Model) -> f64 {
         if doubled { 2.0 * model.size[axis] } else { model.size[axis] }
     };
     (0..3).map(whole).fold(0.0, f64::max)
-}
-
-/// 0 for the outermost particles of clamped faces, 1 for all others.
-fn free(model: &Model, stress: &StressModel, workpiece: &Workpiece) -> Vec<f64> {
-    let (low, high) = model.bounds();
-    let clamped = stress.settings.clamped.named();
-    let held = |position: &Vector3<f64>| {
-        let margin = workpiece.spacing;
-        let near = [
-            position.x - low[0],
-            high[0] - position.x,
-            position.y - low[1],
-            high[1] - position.y,
-            position.z - low[2],
-        ];
-        clamped.iter().zip(near).any(|((_, clamped), distance)| *clamped && distance < margin)
-    };
-    workpiece.particles.position.iter().map(|position| if held(position) { 0.0 } else { 1.0 }).collect()
 }
