@@ -59,7 +59,7 @@ pub(in super::super) const BLOCK: Benchmark = constrained(
     "solid/constrained/block",
     "-E alpha dT/(1 - 2 nu) in a block held on all sides, 100 K",
     |resolution| {
-        let (stress, patch) = held([resolution as usize + 4; 3], 3, 100.0, find)?;
+        let (stress, patch) = held([resolution as usize + 8; 3], 3, 100.0, find)?;
         Ok(outcome(&patch, vec![relative(stress.trace() / 3.0, BLOCK_STRESS)]))
     },
 );
@@ -75,7 +75,7 @@ const fn constrained(
         reference,
         quantities: &[Quantity {
             suffix: "",
-            text: "stress in the middle, relative; resolution: particles across",
+            text: "stress in the middle, relative; resolution: free particles across",
             marks: &[Mark { resolution: 6.0, error: 0.01 }, Mark { resolution: 10.0, error: 0.01 }],
         }],
         resolutions: [6.0, 8.0, 10.0],

@@ -12,7 +12,7 @@ pub(in super::super) const RINGS: Benchmark = Benchmark {
     quantities: &[
         Quantity {
             suffix: "pieces",
-            text: "pieces more or less than two, 12 ms after the start; resolution: particles to the wall",
+            text: "pieces more or less than two, 14 ms after the start; resolution: particles to the wall",
             marks: &[Mark { resolution: 6.0, error: 0.0 }, Mark { resolution: 10.0, error: 0.0 }],
         },
         Quantity {
