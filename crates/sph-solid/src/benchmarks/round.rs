@@ -17,6 +17,8 @@ pub struct HotSphere {
     pub error: f64,
     /// Mean stress at the centre over the exact one.
     pub centre: f64,
+    /// Mean outward displacement from 0.85 of the radius on over the exact one.
+    pub growth: f64,
     /// The sphere.
     pub patch: SolidPatch<3>,
 }
@@ -42,7 +44,8 @@ pub fn hot_disc(cells: usize, find: FindNeighbors<2>) -> Result<(f64, SolidPatch
 
 /// A sphere with dT = T1 (1 - r^2/R^2), alpha T1 = 1e-3; `cells` over the radius.
 ///
-/// sigma_r = -0.4 S (1 - r^2/R^2), hoop S (-0.4 + 0.8 r^2/R^2), S = E alpha T1/(1 - nu).
+/// sigma_r = -0.4 S (1 - r^2/R^2), hoop S (-0.4 + 0.8 r^2/R^2), S = E alpha T1/(1 - nu); outward displacement
+/// alpha T1 r ((1 + nu)(1/3 - r^2/(5 R^2)) + 4 (1 - 2 nu)/15)/(1 - nu), 0.4 alpha T1 R at the surface.
 ///
 /// # Errors
 /// [`Error`] of the body.
@@ -57,7 +60,16 @@ pub fn hot_sphere(cells: usize, find: FindNeighbors<3>) -> Result<HotSphere, Err
     });
     let stresses = patch.stresses();
     let centre = patch.mean(|x| x.norm() < SPACING, |i| stresses[i].trace() / 3.0) / (-0.4 * scale);
-    Ok(HotSphere { error, centre, patch })
+    let exact = |r: f64| {
+        let share = (1.0 + POISSON) * (1.0 / 3.0 - 0.2 * square(r)) + 4.0 / 15.0 * (1.0 - 2.0 * POISSON);
+        ALPHA * RISE * r * share / (1.0 - POISSON)
+    };
+    let outward = |i: usize| {
+        let (position, r) = (patch.positions()[i], patch.positions()[i].norm());
+        patch.displacements[i].dot(&position) / r / exact(r)
+    };
+    let growth = patch.mean(|x| x.norm() > 0.85 * radius, outward);
+    Ok(HotSphere { error, centre, growth, patch })
 }
 
 /// A disc or ball at rest, warmed by `rise` \[K\] of the distance from its centre \[m\].

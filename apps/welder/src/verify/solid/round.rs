@@ -44,11 +44,19 @@ pub(in super::super) const SPHERE: Benchmark = Benchmark {
             text: "mean stress at the centre, relative; resolution: spacings to the radius",
             marks: &[Mark { resolution: 8.0, error: 0.03 }, Mark { resolution: 15.0, error: 0.03 }],
         },
+        Quantity {
+            suffix: "growth",
+            text: "mean outward displacement from 0.85 R on, relative; resolution: spacings to the radius",
+            marks: &[Mark { resolution: 8.0, error: 0.03 }, Mark { resolution: 15.0, error: 0.03 }],
+        },
     ],
     resolutions: [8.0, 12.0, 15.0],
     quick: 2,
     run: |resolution| {
         let sphere = hot_sphere(resolution as usize, find)?;
-        Ok(outcome(&sphere.patch, vec![sphere.error, (sphere.centre - 1.0).abs()]))
+        Ok(outcome(
+            &sphere.patch,
+            vec![sphere.error, (sphere.centre - 1.0).abs(), (sphere.growth - 1.0).abs()],
+        ))
     },
 };
