@@ -1,8 +1,10 @@
 #![doc = include_str!("../README.md")]
 
+pub mod benchmarks;
 mod error;
 mod laws;
 mod moduli;
+mod patch;
 mod tensor;
 mod total;
 mod updated;
@@ -11,6 +13,7 @@ mod waves;
 pub use error::Error;
 pub use laws::*;
 pub use moduli::IsotropicModuli;
+pub use patch::{FindNeighbors, SolidPatch, SolidStart, UpdatedPatch};
 pub use tensor::SymmetricTensor;
 pub use total::*;
 pub use updated::*;

@@ -85,6 +85,9 @@ pub enum BenchmarkError {
     /// Its fluid was refused.
     #[error(transparent)]
     Fluid(#[from] sph_fluid::Error),
+    /// Its solid was refused.
+    #[error(transparent)]
+    Solid(#[from] sph_solid::Error),
     /// Its run went wrong.
     #[error(transparent)]
     Run(#[from] Failure),

@@ -5,9 +5,10 @@ use super::heat::{
     stefan, top_hat,
 };
 use super::melt::{drops, layers};
+use super::solid::{heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 21] = [
+static BENCHMARKS: [Benchmark; 40] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -24,6 +25,25 @@ static BENCHMARKS: [Benchmark; 21] = [
     layers::FILM,
     layers::RETURN_FLOW,
     layers::CLOSED_LAYER,
+    waves::PRESSURE,
+    waves::SHEAR,
+    waves::BAR,
+    waves::PLATE,
+    swings::PLATE,
+    swings::AMPLITUDE_KEPT,
+    swings::BEAM,
+    rotation::TURNED,
+    rotation::TURNED_UPDATED,
+    rotation::SHEARED,
+    rotation::SPIN,
+    heated::FREE,
+    heated::BAR,
+    heated::PLATE,
+    heated::BLOCK,
+    heated::GOUGH_JOULE,
+    round::DISC,
+    round::SPHERE,
+    rings::RINGS,
     weld::LATTICE,
     weld::DISORDERED,
     round_off::LEDGER,

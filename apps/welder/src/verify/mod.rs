@@ -10,11 +10,13 @@ mod command;
 pub mod exact;
 mod heat;
 mod melt;
+mod neighbors;
 mod order;
 mod report;
 mod round_off;
 mod scene;
 mod select;
+mod solid;
 mod table;
 mod weld;
 

@@ -1,10 +1,10 @@
 //! Changing the reference, and spacing that changes within a body.
 
-use crate::material::{ALPHA, DENSITY, aluminium};
-use crate::scene::lattice;
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
 use sph_kernel::KernelKind;
 use sph_neighbors::{PairReach, SearchMethod};
+use sph_solid::benchmarks::aluminium::{ALPHA, DENSITY, aluminium};
+use sph_solid::benchmarks::shapes::lattice;
 use sph_solid::{
     Controls, Inelastic, Material, Motion, ReferenceColumns, SymmetricTensor, TotalLagrangian,
     strain_of_stress,
@@ -60,7 +60,7 @@ fn a_new_reference_carries_the_stress_over() {
     let positions = lattice([-5.0 * SPACING; 2], [10, 10], SPACING);
     let (spacings, volumes) = (vec![SPACING; 100], vec![SPACING * SPACING; 100]);
     let masses: Vec<f64> = volumes.iter().map(|volume| volume * DENSITY).collect();
-    let mut old = body(&positions, &spacings, &volumes, &masses, aluminium(0.0));
+    let mut old = body(&positions, &spacings, &volumes, &masses, aluminium(0.0).unwrap());
     // Small strain on top of a turn by 40 degrees.
     let turn = *nalgebra::Rotation2::new(0.7).matrix();
     let place = |x: &Vector2<f64>| turn * (x + Vector2::new(1e-2 * x.x * x.x / SPACING, 1e-3 * x.x) * 0.1);
@@ -70,8 +70,8 @@ fn a_new_reference_carries_the_stress_over() {
 
     let present: Vec<_> = positions.iter().map(place).collect();
     let grown: Vec<f64> = (0..100).map(|i| volumes[i] * old.deformations()[i].determinant()).collect();
-    let mut new = body(&present, &spacings, &grown, &masses, aluminium(0.0));
-    let moduli = *aluminium(0.0).solver_moduli();
+    let mut new = body(&present, &spacings, &grown, &masses, aluminium(0.0).unwrap());
+    let moduli = *aluminium(0.0).unwrap().solver_moduli();
     let mut strains: Vec<_> =
         stresses.iter().map(|stress| strain_of_stress(stress, &moduli) * -1.0).collect();
     let (after, carried) = evaluate(&mut new, &[Vector2::zeros(); 100], 293.0, &mut strains);
@@ -96,7 +96,7 @@ fn a_jump_of_spacing_keeps_linear_fields_and_free_expansion() {
     let volumes: Vec<f64> = spacings.iter().map(|spacing| spacing * spacing).collect();
     let masses: Vec<f64> = volumes.iter().map(|volume| volume * DENSITY).collect();
     let mut strains = vec![SymmetricTensor::zero(); positions.len()];
-    let mut plain = body(&positions, &spacings, &volumes, &masses, aluminium(0.0));
+    let mut plain = body(&positions, &spacings, &volumes, &masses, aluminium(0.0).unwrap());
     let gradient = Matrix2::new(2e-3, -5e-3, 4e-3, -1e-3);
     let linear: Vec<_> = positions.iter().map(|x| gradient * x).collect();
     evaluate(&mut plain, &linear, 293.0, &mut strains);
@@ -104,7 +104,7 @@ fn a_jump_of_spacing_keeps_linear_fields_and_free_expansion() {
         assert!((deformation - Matrix2::identity() - gradient).norm() < 1e-14);
     }
     // Warm by 50 K: the plane expansion that leaves no stress in the plane, found from the law itself.
-    let mut warm = body(&positions, &spacings, &volumes, &masses, aluminium(ALPHA));
+    let mut warm = body(&positions, &spacings, &volumes, &masses, aluminium(ALPHA).unwrap());
     let free = |growth: f64| positions.iter().map(|x| x * growth).collect::<Vec<_>>();
     let (mut low, mut high) = (0.0, 1e-2);
     for _ in 0..60 {
