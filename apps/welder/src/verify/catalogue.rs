@@ -5,10 +5,10 @@ use super::heat::{
     stefan, top_hat,
 };
 use super::melt::{drops, layers};
-use super::solid::{heated, rings, rotation, round, swings, waves};
+use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 40] = [
+static BENCHMARKS: [Benchmark; 41] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -43,6 +43,7 @@ static BENCHMARKS: [Benchmark; 40] = [
     heated::GOUGH_JOULE,
     round::DISC,
     round::SPHERE,
+    clamped_plate::BENCHMARK,
     rings::RINGS,
     weld::LATTICE,
     weld::DISORDERED,

@@ -2,6 +2,7 @@
 
 pub mod aluminium;
 pub mod beam;
+pub mod clamped_plate;
 pub mod gough_joule;
 pub mod plate;
 pub mod rings;

@@ -29,10 +29,22 @@ pub struct HotSphere {
 /// # Errors
 /// [`Error`] of the body.
 pub fn hot_disc(cells: usize, find: FindNeighbors<2>) -> Result<(f64, SolidPatch<2>), Error> {
+    hot_disc_of(ball(cells, SPACING), cells, find)
+}
+
+/// The same of particles that need not stand on a lattice \[m\], about the origin, 1 mm apart.
+///
+/// # Errors
+/// [`Error`] of the body.
+pub fn hot_disc_of(
+    positions: Vec<SVector<f64, 2>>,
+    cells: usize,
+    find: FindNeighbors<2>,
+) -> Result<(f64, SolidPatch<2>), Error> {
     let radius = cells as f64 * SPACING;
     let width = 0.4 * radius;
     let profile = |r: f64| RISE * (-(r / width).powi(2)).exp();
-    let patch = settled(cells, profile, find)?;
+    let patch = settled(positions, cells, profile, find)?;
     let mean = |r: f64| 0.5 * RISE * (width / r).powi(2) * (1.0 - (-(r / width).powi(2)).exp());
     let scale = ALPHA * YOUNG / (1.0 - POISSON);
     let error = error(&patch, radius, |x| {
@@ -52,7 +64,7 @@ pub fn hot_disc(cells: usize, find: FindNeighbors<2>) -> Result<(f64, SolidPatch
 pub fn hot_sphere(cells: usize, find: FindNeighbors<3>) -> Result<HotSphere, Error> {
     let radius = cells as f64 * SPACING;
     let square = |r: f64| (r / radius).powi(2);
-    let patch = settled(cells, |r| RISE * (1.0 - square(r)), find)?;
+    let patch = settled(ball(cells, SPACING), cells, |r| RISE * (1.0 - square(r)), find)?;
     let scale = YOUNG * ALPHA * RISE / (1.0 - POISSON);
     let error = error(&patch, radius, |x| {
         let square = square(x.norm());
@@ -74,11 +86,12 @@ pub fn hot_sphere(cells: usize, find: FindNeighbors<3>) -> Result<HotSphere, Err
 
 /// A disc or ball at rest, warmed by `rise` \[K\] of the distance from its centre \[m\].
 fn settled<const D: usize>(
+    positions: Vec<SVector<f64, D>>,
     cells: usize,
     rise: impl Fn(f64) -> f64,
     find: FindNeighbors<D>,
 ) -> Result<SolidPatch<D>, Error> {
-    let mut patch = SolidPatch::new(SolidStart::new(ball(cells, SPACING), SPACING, aluminium(ALPHA)?), find)?;
+    let mut patch = SolidPatch::new(SolidStart::new(positions, SPACING, aluminium(ALPHA)?), find)?;
     patch.set_temperatures(|position| 293.0 + rise(position.norm()));
     patch.relax(cells as f64 * SPACING);
     Ok(patch)

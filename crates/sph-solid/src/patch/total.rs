@@ -183,8 +183,13 @@ impl<const D: usize> SolidPatch<D> {
 
     /// Relaxes a body of half size `half` \[m\] to rest: velocities fade at the rate 2 c_P/half for 16 half/c_P.
     pub fn relax(&mut self, half: f64) {
+        self.settle(half, 16.0);
+    }
+
+    /// Lets a body of half size `half` \[m\] settle: velocities fade at the rate 2 c_P/half for `times` half/c_P.
+    pub fn settle(&mut self, half: f64, times: f64) {
         let dt = self.body.stable_step(0.6);
-        let steps = (16.0 * half / self.wave_speed / dt).ceil() as usize;
+        let steps = (times * half / self.wave_speed / dt).ceil() as usize;
         let kept = (-2.0 * self.wave_speed / half * dt).exp();
         self.evaluate();
         for _ in 0..steps {

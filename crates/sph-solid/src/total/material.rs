@@ -40,7 +40,7 @@ impl Material {
 /// Coefficients that belong to the method, not to the material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controls {
-    /// Stiffness against zero-energy modes as a share of K + 4 mu/3 \[-\]; 0 is none.
+    /// Stiffness against zero-energy modes as a share of K + 4 mu/3, or of 6 mu where that is less \[-\]; 0 is none.
     pub hourglass: f64,
     /// Linear artificial viscosity alpha \[-\]; 0 is none and costs nothing.
     pub viscosity: f64,

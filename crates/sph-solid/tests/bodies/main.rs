@@ -1,7 +1,9 @@
 //! Bodies of particles against exact solutions.
 
 mod beam;
+mod clamped_plate;
 mod find;
+mod hard;
 mod hot_spot;
 mod motion;
 mod plate;

@@ -1,5 +1,6 @@
 //! The solid: bodies of `sph-solid` whose answer is known.
 
+pub(super) mod clamped_plate;
 pub(super) mod heated;
 pub(super) mod rings;
 pub(super) mod rotation;

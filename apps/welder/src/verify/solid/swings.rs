@@ -4,7 +4,7 @@ use super::super::benchmark::relative;
 use super::super::{Benchmark, Mark, Quantity};
 use super::{find, outcome};
 use sph_solid::benchmarks::beam::{AMPLITUDE, FREQUENCY, MEAN, swinging_beam};
-use sph_solid::benchmarks::plate::{BETWEEN_STRIPS, amplitude_after_ten, between_strips};
+use sph_solid::benchmarks::plate::{BETWEEN_STRIPS, amplitude_after, between_strips};
 
 pub(in super::super) const PLATE: Benchmark = Benchmark {
     name: "solid/oscillating-plate",
@@ -42,7 +42,7 @@ pub(in super::super) const AMPLITUDE_KEPT: Benchmark = Benchmark {
     resolutions: [4.0, 5.0, 6.0],
     quick: 1,
     run: |resolution| {
-        let (kept, patch) = amplitude_after_ten(resolution as usize, find)?;
+        let (kept, patch) = amplitude_after(10, resolution as usize, find)?;
         Ok(outcome(&patch, vec![(kept - 1.0).abs()]))
     },
 };
