@@ -1,0 +1,8 @@
+//! The fast form of the plain weakly compressible terms: packed records, blocks, and lanes of pairs.
+
+mod particle;
+mod sweep;
+mod terms;
+
+pub use particle::{PackedParticle, PackedRates, PackedRows};
+pub use sweep::PackedSweep;
