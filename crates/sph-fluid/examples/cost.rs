@@ -1,13 +1,14 @@
 //! What a step of a weakly compressible fluid costs: the plain `FluidSweep` against the packed one, on one thread and on two.
 //!
 //! `cargo run --release -p sph-fluid --example cost -- 200000` takes 200 000 particles (20 000 without an argument): a swirl in
-//! a cube, Wendland C2, h = 1.3 spacings. Directed pairs are those inside the support, counted once an evaluation however often they are
-//! visited. Medians of several runs, best in brackets.
+//! a cube, Wendland C2, h = 1.3 spacings, step 0.25 h/c. Directed pairs are those inside the support, counted once an
+//! evaluation, however often they are visited. Sweeps: median of some runs, best in brackets; steps: mean with lists.
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use sph_fluid::{
-    FluidControls, FluidFields, FluidSweep, PackedParticle, PackedRates, PackedRows, PackedSweep, Tait,
+    FluidControls, FluidFields, FluidSweep, PackedFields, PackedParticle, PackedRates, PackedRows,
+    PackedSweep, Tait,
 };
 use sph_kernel::KernelKind;
 use sph_neighbors::{BlockedPairs, PairReach, SearchMethod, SkinnedList, spatial_order};
@@ -20,8 +21,10 @@ const BLOCK_EDGE: f64 = 15.0;
 const SOUND_SPEED: f64 = 10.0;
 const STEP: f64 = 0.25 * SMOOTHING_LENGTH / SOUND_SPEED;
 
-const EVALUATIONS: usize = 11;
-const STEPS: usize = 30;
+const PLAIN_RUNS: usize = 3;
+const PACKED_RUNS: usize = 15;
+const PLAIN_STEPS: usize = 6;
+const PACKED_STEPS: usize = 30;
 
 fn controls(density_diffusion: f64) -> FluidControls<3> {
     let kernel = KernelKind::WendlandC2.with_smoothing_length(SMOOTHING_LENGTH);
@@ -49,28 +52,31 @@ fn swirl(position: &Vector3<f64>, side: usize) -> Vector3<f64> {
     Vector3::new(-from_axis.y, from_axis.x, 0.0) / from_axis.norm().max(1.0)
 }
 
-/// Median and least of some times \[s\].
-fn median_and_least(mut times: Vec<f64>) -> [f64; 2] {
-    times.sort_unstable_by(f64::total_cmp);
-    [times[times.len() / 2], times[0]]
-}
-
-fn timed(times: usize, mut work: impl FnMut()) -> [f64; 2] {
+/// Median and least time of some runs \[s\].
+fn timed(runs: usize, mut work: impl FnMut()) -> [f64; 2] {
     let once = |_| {
         let start = Instant::now();
         work();
         start.elapsed().as_secs_f64()
     };
-    median_and_least((0..times).map(once).collect())
+    let mut times: Vec<f64> = (0..runs).map(once).collect();
+    times.sort_unstable_by(f64::total_cmp);
+    [times[runs / 2], times[0]]
 }
 
-fn report(name: &str, pairs: usize, [median, least]: [f64; 2]) {
-    let millions = |time: f64| 1e-6 * pairs as f64 / time;
-    println!(
-        "  {name:44} {:7.1} ({:7.1}) million directed pairs a second",
-        millions(median),
-        millions(least)
-    );
+fn report_sweep(name: &str, pairs: usize, times: [f64; 2]) {
+    let [median, best] = times.map(|time| 1e-6 * pairs as f64 / time);
+    println!("  {name:40} {median:6.1} ({best:6.1}) million directed pairs a second");
+}
+
+/// Takes `steps` steps and returns their time \[s\].
+fn report_steps(name: &str, particles: usize, pairs: usize, steps: usize, mut step: impl FnMut()) -> f64 {
+    let start = Instant::now();
+    (0..steps).for_each(|_| step());
+    let whole = start.elapsed().as_secs_f64();
+    let [pairs, particles] = [pairs, particles].map(|count| 1e-6 * (count * steps) as f64 / whole);
+    println!("  {name:40} {pairs:6.1} million directed pairs, {particles:.2} million particles a second");
+    whole
 }
 
 /// The plain sweep with a kept list.
@@ -131,9 +137,6 @@ impl Plain {
 }
 
 /// The packed sweep with blocks of particles that are sorted anew with each list.
-///
-/// One visit of the pairs a step gives rates of velocity and density together, so that both are extrapolated to the middle of the next
-/// step (Adams and Bashforth, second order), where they are evaluated.
 struct Packed {
     sweep: PackedSweep<3>,
     pairs: BlockedPairs<3>,
@@ -175,19 +178,31 @@ impl Packed {
             lists: 0,
         };
         packed.list();
-        packed.evaluate();
+        packed.sweep.update_states(&mut packed.particles);
+        packed.evaluate(Terms::Both);
         packed.earlier.copy_from_slice(&packed.rates);
         packed
     }
 
-    fn evaluate(&mut self) {
-        let pairs = &self.pairs;
+    fn evaluate(&mut self, terms: Terms) {
+        let Self { sweep, pairs, particles, rates, .. } = self;
         let rows = |block| {
             let rows = pairs.rows(block);
             PackedRows { first: rows.first, starts: rows.starts, neighbors: rows.neighbors }
         };
-        self.sweep.update_states(&mut self.particles);
-        self.sweep.rates(&self.particles, &[], pairs.blocks(), rows, &mut self.rates);
+        let fields = PackedFields { particles, wall_velocities: &[], blocks: pairs.blocks(), rows };
+        match terms {
+            Terms::Both => sweep.rates(&fields, rates),
+            Terms::Density => sweep.density_rates(&fields, rates),
+            Terms::Force => sweep.accelerations(&fields, rates),
+        }
+    }
+
+    /// Changes each particle by what it has received now and the step before.
+    fn advance(&mut self, change: impl Fn(&mut PackedParticle<3>, &PackedRates<3>, &PackedRates<3>) + Sync) {
+        let Self { particles, rates, earlier, .. } = self;
+        let all = particles.par_iter_mut().zip(rates).zip(earlier).with_min_len(4096);
+        all.for_each(|((particle, rates), earlier)| change(particle, rates, earlier));
     }
 
     fn list(&mut self) {
@@ -214,44 +229,69 @@ impl Packed {
         self.listing += start.elapsed().as_secs_f64();
     }
 
-    fn step(&mut self) {
-        let movers = self.particles.par_iter_mut().zip(&self.rates).zip(&self.earlier).with_min_len(4096);
-        movers.for_each(|((particle, rates), earlier)| {
-            let acceleration = rates.acceleration * 1.5 - earlier.acceleration * 0.5;
-            particle.velocity += acceleration * STEP;
+    /// The step of the plain sweep: kick and drift, density, force, kick.
+    fn step_density_first(&mut self) {
+        self.advance(|particle, rates, _| {
+            particle.velocity += rates.acceleration * (0.5 * STEP);
+            particle.position += particle.velocity * STEP;
+        });
+        self.list_if_moved();
+        self.evaluate(Terms::Density);
+        self.advance(|particle, rates, _| particle.density += rates.density_rate * STEP);
+        self.sweep.update_states(&mut self.particles);
+        self.evaluate(Terms::Force);
+        self.advance(|particle, rates, _| particle.velocity += rates.acceleration * (0.5 * STEP));
+    }
+
+    /// A step with one visit of each pair: velocity and density are extrapolated to the middle of the next step (Adams and Bashforth,
+    /// second order), where the positions are as well.
+    fn step_one_visit(&mut self) {
+        self.advance(|particle, rates, earlier| {
+            particle.velocity += (rates.acceleration * 1.5 - earlier.acceleration * 0.5) * STEP;
             particle.density += (rates.density_rate * 1.5 - earlier.density_rate * 0.5) * STEP;
             // The velocity between two evaluations moves the particle from one to the next.
             particle.position += (particle.velocity - rates.acceleration * (0.5 * STEP)) * STEP;
         });
         self.list_if_moved();
         std::mem::swap(&mut self.rates, &mut self.earlier);
-        self.evaluate();
+        self.sweep.update_states(&mut self.particles);
+        self.evaluate(Terms::Both);
+    }
+
+    fn run(&mut self, name: &str, pairs: usize, step: fn(&mut Self)) {
+        (self.listing, self.lists) = (0.0, 0);
+        let whole = report_steps(name, self.particles.len(), pairs, PACKED_STEPS, || step(self));
+        let share = 100.0 * self.listing / whole;
+        println!("    of it {share:.1} % for {} lists, with sorting", self.lists);
+        let fastest = self.particles.iter().map(|particle| particle.velocity.norm()).fold(0.0, f64::max);
+        assert!(fastest < 1.5, "the flow has exploded: a speed of {fastest}");
     }
 }
 
+#[derive(Clone, Copy)]
+enum Terms {
+    Both,
+    Density,
+    Force,
+}
+
 fn compare(positions: &[Vector3<f64>], side: usize, pairs: usize) {
-    for diffusion in [0.0, 0.1] {
-        println!(" density diffusion {diffusion}");
-        let mut plain = Plain::new(positions, side, diffusion);
-        plain.evaluate(0.0);
-        report("plain sweep alone", pairs, timed(EVALUATIONS, || plain.evaluate(0.0)));
-        report("plain step", pairs, timed(STEPS, || plain.step()));
-        let mut packed = Packed::new(positions, side, diffusion);
-        report("packed sweep alone", pairs, timed(EVALUATIONS, || packed.evaluate()));
-        (packed.listing, packed.lists) = (0.0, 0);
-        let start = Instant::now();
-        (0..STEPS).for_each(|_| packed.step());
-        let whole = start.elapsed().as_secs_f64();
-        let mean = whole / STEPS as f64;
-        report("packed step, mean with lists", pairs, [mean, mean]);
-        let (share, millions) = (100.0 * packed.listing / whole, 1e-6 * positions.len() as f64 / mean);
-        println!(
-            "    {millions:.2} million particles a second; {} lists: {share:.1} % for lists and sorting",
-            packed.lists
-        );
-        let fastest = packed.particles.iter().map(|particle| particle.velocity.norm()).fold(0.0, f64::max);
-        assert!(fastest < 2.0, "the flow has exploded: {fastest}");
-    }
+    let mut plain = Plain::new(positions, side, 0.0);
+    report_sweep("plain sweep without diffusion", pairs, timed(PLAIN_RUNS, || plain.evaluate(0.0)));
+    let mut plain = Plain::new(positions, side, 0.1);
+    report_sweep("plain sweep, corrected diffusion", pairs, timed(PLAIN_RUNS, || plain.evaluate(0.0)));
+    let mut packed = Packed::new(positions, side, 0.1);
+    let both = timed(PACKED_RUNS, || packed.evaluate(Terms::Both));
+    report_sweep("packed sweep, one visit", pairs, both);
+    let apart = timed(PACKED_RUNS, || {
+        packed.evaluate(Terms::Density);
+        packed.evaluate(Terms::Force);
+    });
+    report_sweep("packed sweep, density and force apart", pairs, apart);
+    report_steps("plain step", positions.len(), pairs, PLAIN_STEPS, || plain.step());
+    packed.run("packed step, one visit", pairs, Packed::step_one_visit);
+    let mut packed = Packed::new(positions, side, 0.1);
+    packed.run("packed step, density first", pairs, Packed::step_density_first);
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -13,7 +13,7 @@ mod test_block;
 
 pub use error::Error;
 pub use laws::*;
-pub use packed::{PackedParticle, PackedRates, PackedRows, PackedSweep};
+pub use packed::{PackedFields, PackedParticle, PackedRates, PackedRows, PackedSweep};
 pub use patch::{FindNeighbors, FluidPatch, PatchStart};
 pub use surface::*;
 pub use sweep::{FluidControls, FluidFields, FluidSweep};

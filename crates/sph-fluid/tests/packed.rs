@@ -2,14 +2,17 @@
 
 use nalgebra::SVector;
 use sph_fluid::{
-    Fields, FluidControls, PackedParticle, PackedRates, PackedRows, PackedSweep, Tait,
-    artificial_acceleration, corrected_diffusion, density_rate, leading_part, viscous_acceleration,
-    volume_pressure_acceleration,
+    Fields, FluidControls, FluidFields, FluidSweep, PackedFields, PackedParticle, PackedRates, PackedRows,
+    PackedSweep, Tait, artificial_acceleration, corrected_diffusion, density_rate, leading_part,
+    viscous_acceleration, volume_pressure_acceleration,
 };
 use sph_kernel::{KernelKind, RowBuffer};
 use sph_neighbors::{BlockedPairs, PairReach, SearchMethod};
 
 const SMOOTHING_LENGTH: f64 = 1.3;
+
+/// Gives the rows of a block.
+type Rows<'a> = &'a (dyn Fn(usize) -> PackedRows<'a> + Sync);
 
 /// A disordered cube at unit spacing: fluid, copies of fluid, walls, in this order.
 struct Cloud<const D: usize> {
@@ -72,13 +75,26 @@ impl<const D: usize> Cloud<D> {
     }
 
     fn packed(&self) -> Vec<PackedRates<D>> {
+        self.packed_by(|sweep, fields, rates| sweep.rates(fields, rates))
+    }
+
+    /// What one of the sweep's methods gives.
+    fn packed_by(
+        &self,
+        evaluate: impl Fn(&PackedSweep<D>, &PackedFields<'_, D, Rows<'_>>, &mut [PackedRates<D>]),
+    ) -> Vec<PackedRates<D>> {
         let mut rates = vec![PackedRates::zero(); self.fluid];
-        let rows = |block| {
+        let rows: Rows<'_> = &|block| {
             let rows = self.pairs.rows(block);
             PackedRows { first: rows.first, starts: rows.starts, neighbors: rows.neighbors }
         };
-        let sweep = PackedSweep::new(self.controls).unwrap();
-        sweep.rates(&self.particles, &self.wall_velocities, self.pairs.blocks(), rows, &mut rates);
+        let fields = PackedFields {
+            particles: &self.particles,
+            wall_velocities: &self.wall_velocities,
+            blocks: self.pairs.blocks(),
+            rows,
+        };
+        evaluate(&PackedSweep::new(self.controls).unwrap(), &fields, &mut rates);
         rates
     }
 
@@ -166,6 +182,56 @@ fn is_bit_identical_on_one_and_two_threads() {
         pool.install(|| cloud.packed())
     };
     assert_eq!(on(1), on(2));
+}
+
+#[test]
+fn density_and_force_apart_are_the_same_as_together() {
+    let cloud = Cloud::<3>::new(12, KernelKind::WendlandC2, [1.5, 2.5]);
+    let together = cloud.packed();
+    let densities = cloud.packed_by(|sweep, fields, rates| sweep.density_rates(fields, rates));
+    let forces = cloud.packed_by(|sweep, fields, rates| sweep.accelerations(fields, rates));
+    for (i, both) in together.iter().enumerate() {
+        assert_eq!(
+            (densities[i].density_rate, densities[i].acceleration),
+            (both.density_rate, SVector::zeros())
+        );
+        assert_eq!((forces[i].density_rate, forces[i].acceleration), (0.0, both.acceleration));
+    }
+}
+
+#[test]
+fn density_first_is_the_step_of_the_plain_sweep() {
+    let mut cloud = Cloud::<3>::new(12, KernelKind::WendlandC2, [f64::NEG_INFINITY; 2]);
+    cloud.controls.density_diffusion = 0.0;
+    let column = |value: fn(&PackedParticle<3>) -> f64| cloud.particles.iter().map(value).collect::<Vec<_>>();
+    let (masses, mut densities) = (column(|particle| particle.mass), column(|particle| particle.density));
+    let positions: Vec<_> = cloud.particles.iter().map(|particle| particle.position).collect();
+    let velocities: Vec<_> = cloud.particles.iter().map(|particle| particle.velocity).collect();
+    let reach = PairReach::Uniform(cloud.controls.kernel.support_radius());
+    let list = SearchMethod::default().find(&positions, reach).unwrap();
+    let fields = FluidFields {
+        positions: &positions,
+        velocities: &velocities,
+        masses: &masses,
+        temperatures: &[],
+        copies: &[],
+        list_starts: list.starts(),
+        list_neighbors: list.indices(),
+    };
+    let (dt, mut accelerations) = (1e-3, vec![SVector::zeros(); positions.len()]);
+    FluidSweep::new(cloud.controls).unwrap().accelerations(&fields, &mut densities, dt, &mut accelerations);
+
+    let rates = cloud.packed_by(|sweep, fields, rates| sweep.density_rates(fields, rates));
+    for (particle, rates) in cloud.particles.iter_mut().zip(&rates) {
+        particle.density += rates.density_rate * dt;
+    }
+    PackedSweep::new(cloud.controls).unwrap().update_states(&mut cloud.particles);
+    let rates = cloud.packed_by(|sweep, fields, rates| sweep.accelerations(fields, rates));
+    let scale = accelerations.iter().map(SVector::norm).fold(0.0, f64::max);
+    for (i, particle) in cloud.particles.iter().enumerate() {
+        assert!((particle.density - densities[i]).abs() < 1e-14 * densities[i]);
+        assert!((rates[i].acceleration - accelerations[i]).norm() < 1e-12 * scale);
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! process allocates.
 
 use nalgebra::{SVector, Vector3};
-use sph_fluid::{FluidControls, PackedParticle, PackedRates, PackedRows, PackedSweep, Tait};
+use sph_fluid::{FluidControls, PackedFields, PackedParticle, PackedRates, PackedRows, PackedSweep, Tait};
 use sph_kernel::KernelKind;
 use sph_neighbors::BlockedPairs;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -80,7 +80,8 @@ impl Fluid {
             let rows = pairs.rows(block);
             PackedRows { first: rows.first, starts: rows.starts, neighbors: rows.neighbors }
         };
-        sweep.rates(particles, &[], pairs.blocks(), rows, rates);
+        let blocks = pairs.blocks();
+        sweep.rates(&PackedFields { particles, wall_velocities: &[], blocks, rows }, rates);
         for (particle, rates) in particles.iter_mut().zip(rates) {
             particle.density += 1e-6 * rates.density_rate;
             particle.velocity += 1e-6 * rates.acceleration;

@@ -5,6 +5,7 @@ use crate::error::{Error, check_positions};
 use crate::{PairReach, Permutation};
 use nalgebra::SVector;
 use rayon::prelude::*;
+use wide::{f64x4, u32x4};
 
 /// A list for sweeps whose unit of parallel work is a cubic block of particles.
 ///
@@ -118,7 +119,7 @@ impl<const D: usize> BlockedPairs<D> {
 struct RowStore<const D: usize> {
     starts: Vec<u32>,
     neighbors: Rows,
-    /// Candidates of one cell for the three parts of its rows.
+    /// Candidates of one home for the three parts of its rows.
     within: Candidates<D>,
     across: Candidates<D>,
     beyond: Candidates<D>,
@@ -136,23 +137,26 @@ impl<const D: usize> RowStore<D> {
         self.starts.clear();
         self.neighbors.end = 0;
         let [near, far] = [owned, others].map(|points| Surroundings::of(frame, points, owned.number(block)));
-        for cell in 0..frame.cells_per_block() {
-            let members = owned.cells(frame, block, cell, cell);
+        for home in frame.homes() {
+            let members = owned.cells(frame, block, &home);
             if members.is_empty() {
                 continue;
             }
             for candidates in [&mut self.within, &mut self.across, &mut self.beyond] {
                 candidates.clear();
             }
-            near.runs(cell, |same, run| match same {
+            near.runs(&home, |same, run| match same {
                 true if run.end <= members.start => {}
                 true => self.within.extend(owned.points(run.clone()), run),
                 false => self.across.extend(owned.points(run.clone()), run),
             });
-            far.runs(cell, |_, run| {
+            far.runs(&home, |_, run| {
                 let ids = run.clone().map(|point| owned.len() as u32 + others.id(point));
                 self.beyond.extend(others.points(run), ids);
             });
+            for candidates in [&mut self.within, &mut self.across, &mut self.beyond] {
+                candidates.fill_up();
+            }
             members.for_each(|particle| self.find_row(particle, owned.point(particle), reach * reach));
         }
         self.starts.push(self.neighbors.end as u32);
@@ -169,23 +173,16 @@ impl<const D: usize> RowStore<D> {
     }
 }
 
-/// Points that may be near to those of a cell, copied into columns: distances to them are then computed several at a time.
+/// Points that may be near to those of a home, copied into columns so that four are looked at together.
 #[derive(Clone, Debug)]
 struct Candidates<const D: usize> {
     places: [Vec<f64>; D],
     ids: Vec<u32>,
-    distances: Vec<f64>,
-    inside: Vec<usize>,
 }
 
 impl<const D: usize> Default for Candidates<D> {
     fn default() -> Self {
-        Self {
-            places: std::array::from_fn(|_| Vec::new()),
-            ids: Vec::new(),
-            distances: Vec::new(),
-            inside: Vec::new(),
-        }
+        Self { places: std::array::from_fn(|_| Vec::new()), ids: Vec::new() }
     }
 }
 
@@ -202,29 +199,60 @@ impl<const D: usize> Candidates<D> {
         self.ids.extend(ids);
     }
 
-    /// Appends the candidates behind the first `from` that are nearer to a place than the root of `limit`; squares are summed as in
-    /// `distance_squared`.
-    fn find_near(&mut self, from: usize, place: &SVector<f64, D>, limit: f64, found: &mut Rows) {
-        let squares = |axis: usize| {
-            self.places[axis][from..].iter().map(move |other| (place[axis] - other) * (place[axis] - other))
-        };
-        self.distances.clear();
-        self.distances.extend(squares(0));
-        for axis in 1..D {
-            self.distances.iter_mut().zip(squares(axis)).for_each(|(sum, square)| *sum += square);
-        }
-        self.inside.clear();
-        self.inside.extend(self.distances.iter().map(|&distance| usize::from(distance < limit)));
-        let target = found.room(self.inside.len());
+    /// Fills the last four up with places that are near to none.
+    fn fill_up(&mut self) {
+        let length = self.ids.len().next_multiple_of(LANES);
+        self.places.iter_mut().for_each(|places| places.resize(length, f64::INFINITY));
+        self.ids.resize(length, u32::MAX);
+    }
+
+    /// Appends the candidates behind the first `from` that are nearer to a place than the root of `limit`. Squares are summed as in
+    /// `distance_squared`, so that all searches find the same pairs.
+    #[inline]
+    fn find_near(&self, from: usize, place: &SVector<f64, D>, limit: f64, found: &mut Rows) {
+        let columns: [&[[f64; LANES]]; D] = std::array::from_fn(|axis| self.places[axis].as_chunks().0);
+        let (ids, _) = self.ids.as_chunks::<LANES>();
+        let target = found.room(self.ids.len());
         let mut kept = 0;
-        for (&id, &inside) in self.ids[from..].iter().zip(&self.inside) {
-            // Written always and kept only if inside: most candidates are outside, in no predictable order.
-            target[kept] = id;
-            kept += inside;
+        // Of the first four only those that are not before `from`.
+        let mut wanted = 0b1111 << (from % LANES) & 0b1111;
+        for k in from / LANES..ids.len() {
+            let mut square = f64x4::ZERO;
+            for axis in 0..D {
+                let difference = place[axis] - f64x4::new(columns[axis][k]);
+                square += difference * difference;
+            }
+            let near = square.simd_lt(f64x4::splat(limit)).to_bitmask() & wanted;
+            // Four are written always, those that are near first: no branch to mispredict.
+            let sorted = u32x4::new(ids[k]).shuffle(u32x4::new(NEAR_FIRST[near as usize]));
+            target[kept..kept + LANES].copy_from_slice(sorted.as_array());
+            kept += near.count_ones() as usize;
+            wanted = 0b1111;
         }
         found.end += kept;
     }
 }
+
+/// Candidates that are looked at together.
+const LANES: usize = 4;
+
+/// For each set of lanes, an order that puts them first.
+const NEAR_FIRST: [[u32; LANES]; 16] = {
+    let mut orders = [[0; LANES]; 16];
+    let mut set = 0;
+    while set < 16 {
+        let (mut lane, mut place) = (0, 0);
+        while lane < LANES {
+            if set >> lane & 1 == 1 {
+                orders[set][place] = lane as u32;
+                place += 1;
+            }
+            lane += 1;
+        }
+        set += 1;
+    }
+    orders
+};
 
 /// A vector that keeps its length when it is emptied: room for candidates need not be zeroed anew.
 #[derive(Clone, Debug, Default)]

@@ -10,6 +10,9 @@ const CELLS_PER_REACH: i64 = 2;
 /// Cells along the edge of a block at most, which bounds the table of a block.
 const MOST_CELLS_PER_EDGE: f64 = 32.0;
 
+/// Cells along x whose points look for their pairs together: more share the work of collecting candidates, fewer have fewer of them.
+const CELLS_PER_HOME: usize = 2;
+
 /// Keeps points within reach within [`CELLS_PER_REACH`] cells against round-off: coordinates count to 2^31 at most.
 const WIDENING: f64 = 1.0 + 1e-6;
 
@@ -20,6 +23,7 @@ pub(crate) struct BlockFrame<const D: usize> {
     inverse_cell: f64,
     /// Cells along the edge of a block; at least [`CELLS_PER_REACH`], so that a reach ends in the next block.
     edge: u64,
+    cells_per_block: usize,
 }
 
 impl<const D: usize> BlockFrame<D> {
@@ -29,13 +33,17 @@ impl<const D: usize> BlockFrame<D> {
     /// A frame with its corner at `low`, for pairs nearer than `reach` and blocks of about `block_edge` \[m\].
     pub fn new(low: SVector<f64, D>, reach: f64, block_edge: f64) -> Self {
         let cell = reach * WIDENING / CELLS_PER_REACH as f64;
-        let edge = (block_edge / cell).round().clamp(CELLS_PER_REACH as f64, MOST_CELLS_PER_EDGE);
-        Self { low, inverse_cell: 1.0 / cell, edge: edge as u64 }
+        let edge = (block_edge / cell).round().clamp(CELLS_PER_REACH as f64, MOST_CELLS_PER_EDGE) as u64;
+        Self { low, inverse_cell: 1.0 / cell, edge, cells_per_block: edge.pow(D as u32) as usize }
     }
 
-    /// Number of cells in a block, empty or not.
-    pub fn cells_per_block(&self) -> usize {
-        self.edge.pow(D as u32) as usize
+    /// All cells of a block in runs of up to [`CELLS_PER_HOME`] along x, by ascending number.
+    pub fn homes(&self) -> impl Iterator<Item = Range<usize>> {
+        let edge = self.edge as usize;
+        (0..self.cells_per_block).step_by(edge).flat_map(move |line| {
+            let firsts = (line..line + edge).step_by(CELLS_PER_HOME);
+            firsts.map(move |first| first..(first + CELLS_PER_HOME).min(line + edge))
+        })
     }
 
     fn blocks_per_axis(&self) -> u64 {
@@ -54,7 +62,7 @@ impl<const D: usize> BlockFrame<D> {
             block = block * self.blocks_per_axis() + cell / self.edge;
             local = local * self.edge + cell % self.edge;
         }
-        block * self.cells_per_block() as u64 + local
+        block * self.cells_per_block as u64 + local
     }
 
     /// The number of the block that lies `step` blocks from another, if there can be one.
@@ -98,7 +106,7 @@ impl<const D: usize> CellBlocks<D> {
         self.keyed.par_sort_unstable();
         let sorted = self.keyed.par_iter().map(|&(_, id)| positions[id as usize]);
         sorted.collect_into_vec(&mut self.points);
-        self.count_cells(frame.cells_per_block());
+        self.count_cells(frame.cells_per_block);
     }
 
     fn count_cells(&mut self, cells_per_block: usize) {
@@ -163,11 +171,11 @@ impl<const D: usize> CellBlocks<D> {
         &self.points[run.start as usize..run.end as usize]
     }
 
-    /// The sorted points of cells `first..=last` of a block.
+    /// The sorted points of some cells of a block.
     #[inline]
-    pub fn cells(&self, frame: &BlockFrame<D>, block: usize, first: usize, last: usize) -> Range<u32> {
-        let offset = block * frame.cells_per_block();
-        self.cell_starts[offset + first]..self.cell_starts[offset + last + 1]
+    pub fn cells(&self, frame: &BlockFrame<D>, block: usize, cells: &Range<usize>) -> Range<u32> {
+        let offset = block * frame.cells_per_block;
+        self.cell_starts[offset + cells.start]..self.cell_starts[offset + cells.end]
     }
 }
 
@@ -191,24 +199,26 @@ impl<'a, const D: usize> Surroundings<'a, D> {
         Self { frame: *frame, points, blocks }
     }
 
-    /// Calls `visit` with each run of points in the cells that a reach from a cell of the middle block may end in, and with
+    /// Calls `visit` with each run of points in the cells that a reach from a home in the middle block may end in, and with
     /// whether it lies in the middle block. Runs of the middle block come in ascending order.
-    pub fn runs(&self, cell: usize, mut visit: impl FnMut(bool, Range<u32>)) {
+    pub fn runs(&self, home: &Range<usize>, mut visit: impl FnMut(bool, Range<u32>)) {
         let edge = self.frame.edge as i64;
-        let (x, y, z) = (cell as i64 % edge, cell as i64 / edge % edge, cell as i64 / (edge * edge));
+        let cell = home.start as i64;
+        let (x, y, z) = (cell % edge, cell / edge % edge, cell / (edge * edge));
         let flat = if D == 2 { 0 } else { CELLS_PER_REACH };
         for z in z - flat..=z + flat {
             let (layer, z) = self.wrapped(z);
             for y in y - CELLS_PER_REACH..=y + CELLS_PER_REACH {
                 let (column, y) = self.wrapped(y);
                 for step in 0..3 {
-                    let first = (x - CELLS_PER_REACH - (step - 1) * edge).max(0);
-                    let last = (x + CELLS_PER_REACH - (step - 1) * edge).min(edge - 1);
-                    let slot = if D == 2 { step + 3 * column } else { step + 3 * column + 9 * layer };
-                    if let (true, Some(block)) = (first <= last, self.blocks[slot as usize]) {
+                    let shift = (step - 1) * edge;
+                    let first = (x - CELLS_PER_REACH - shift).max(0);
+                    let end = (x + home.len() as i64 + CELLS_PER_REACH - shift).min(edge);
+                    let slot = step + 3 * column + if D == 2 { 0 } else { 9 * layer };
+                    if let (true, Some(block)) = (first < end, self.blocks[slot as usize]) {
                         let line = (z * edge + y) * edge;
-                        let [first, last] = [first, last].map(|x| (line + x) as usize);
-                        visit(slot == Self::MIDDLE, self.points.cells(&self.frame, block, first, last));
+                        let cells = (line + first) as usize..(line + end) as usize;
+                        visit(slot == Self::MIDDLE, self.points.cells(&self.frame, block, &cells));
                     }
                 }
             }

@@ -50,6 +50,19 @@ pub struct PackedRows<'a> {
     pub neighbors: &'a [u32],
 }
 
+/// What the sweep reads.
+#[derive(Clone, Copy, Debug)]
+pub struct PackedFields<'p, const D: usize, R> {
+    /// Fluid in the order of the blocks, copies of fluid, then walls, which carry the pressure that the fluid shall see.
+    pub particles: &'p [PackedParticle<D>],
+    /// Velocities that friction sees of the walls \[m/s\], one each.
+    pub wall_velocities: &'p [SVector<f64, D>],
+    /// Number of blocks.
+    pub blocks: usize,
+    /// Gives the rows of a block: `Fn(usize) -> PackedRows<'_> + Sync`.
+    pub rows: R,
+}
+
 impl<'a> PackedRows<'a> {
     /// The three parts of a row.
     #[inline]

@@ -9,9 +9,9 @@ use wide::f64x4;
 /// Pairs that are computed together.
 pub(super) const LANES: usize = 4;
 
-/// Constants of all pairs, with the kernel's shape known to the compiler.
+/// Constants of all pairs. The kernel's shape is known to the compiler, and whether there are terms of `DENSITY` and of `FORCE`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Terms<S, const D: usize> {
+pub(super) struct Terms<S, const D: usize, const DENSITY: bool, const FORCE: bool> {
     shape: S,
     inverse_length: f64,
     factor_scale: f64,
@@ -75,7 +75,7 @@ pub(super) fn joined<const D: usize>(vector: &SVector<f64, D>, scalar: f64) -> f
     }))
 }
 
-impl<S: Shape, const D: usize> Terms<S, D> {
+impl<S: Shape, const D: usize, const DENSITY: bool, const FORCE: bool> Terms<S, D, DENSITY, FORCE> {
     /// The terms of a fluid; `shape` must be that of the controls' kernel.
     pub fn new(shape: S, controls: &FluidControls<D>) -> Self {
         let kernel = &controls.kernel;
@@ -113,31 +113,51 @@ impl<S: Shape, const D: usize> Terms<S, D> {
         let q = square.sqrt() * self.inverse_length;
         let factor = f64x4::new(q.to_array().map(|q| self.shape.evaluate(q).1)) * self.factor_scale;
 
-        let mut central = -(there.pressures + here.pressure);
-        if self.artificial > 0.0 {
-            let mean = 0.5 * (there.densities + here.density);
-            let strength = there.densities * (self.artificial * here.density) * closing.min(f64x4::ZERO);
-            central += strength / ((square + self.softening) * mean);
-        }
-        let (central, friction) = (factor * central, factor * self.friction);
-        let forces = std::array::from_fn(|axis| {
-            let difference = if WALL { here.velocity[axis] - seen[axis] } else { differences[axis] };
-            separations[axis].mul_add(central, difference * friction)
-        });
-
-        let compression = factor * closing;
-        let mut exchange = f64x4::ZERO;
-        if !WALL {
-            let mut unexpected = here.density - there.densities;
+        let mut found =
+            Exchange { forces: [f64x4::ZERO; D], own_rates: f64x4::ZERO, other_rates: f64x4::ZERO };
+        if FORCE {
+            let central = factor * self.central(here, there, square, closing);
+            let friction = factor * self.friction;
             for axis in 0..D {
-                unexpected = separations[axis].mul_add(f64x4::splat(-self.rest_gradient[axis]), unexpected);
+                let difference = if WALL { here.velocity[axis] - seen[axis] } else { differences[axis] };
+                found.forces[axis] = separations[axis].mul_add(central, difference * friction);
             }
-            exchange = factor * unexpected * self.diffusivity;
         }
-        Exchange {
-            forces,
-            own_rates: compression.mul_add(f64x4::splat(here.density), exchange),
-            other_rates: compression.mul_sub(there.densities, exchange),
+        if DENSITY {
+            let compression = factor * closing;
+            let diffusion =
+                if WALL { f64x4::ZERO } else { factor * self.diffusion(here, there, &separations) };
+            found.own_rates = compression.mul_add(f64x4::splat(here.density), diffusion);
+            found.other_rates = compression.mul_sub(there.densities, diffusion);
         }
+        found
+    }
+
+    /// Pressure and artificial viscosity: force along r_i - r_j over f V_i V_j.
+    #[inline(always)]
+    fn central(
+        &self,
+        here: &PackedParticle<D>,
+        there: &Neighbors<D>,
+        square: f64x4,
+        closing: f64x4,
+    ) -> f64x4 {
+        let pressure = -(there.pressures + here.pressure);
+        if self.artificial == 0.0 {
+            return pressure;
+        }
+        let mean = 0.5 * (there.densities + here.density);
+        let strength = there.densities * (self.artificial * here.density) * closing.min(f64x4::ZERO);
+        pressure + strength / ((square + self.softening) * mean)
+    }
+
+    /// What diffuses to i over f V_j; the same leaves j.
+    #[inline(always)]
+    fn diffusion(&self, here: &PackedParticle<D>, there: &Neighbors<D>, separations: &[f64x4; D]) -> f64x4 {
+        let mut unexpected = here.density - there.densities;
+        for axis in 0..D {
+            unexpected = separations[axis].mul_add(f64x4::splat(-self.rest_gradient[axis]), unexpected);
+        }
+        unexpected * self.diffusivity
     }
 }
