@@ -1,8 +1,10 @@
-//! What a step of a weakly compressible fluid costs: the plain `FluidSweep` against the packed one, on one thread and on two.
+//! What a step of a weakly compressible fluid costs: the plain `FluidSweep` against the packed one, on one thread and
+//! on two.
 //!
-//! `cargo run --release -p sph-fluid --example cost -- 200000` takes 200 000 particles (20 000 without an argument): a swirl in
-//! a cube, Wendland C2, h = 1.3 spacings, step 0.25 h/c. Directed pairs are those inside the support, counted once an
-//! evaluation, however often they are visited. Sweeps: median of some runs, best in brackets; steps: mean with lists.
+//! `cargo run --release -p sph-fluid --example cost -- 200000` takes 200 000 particles (20 000 without an argument): a
+//! swirl in a cube, Wendland C2, h = 1.3 spacings, step 0.25 h/c. Directed pairs are those inside the support, counted
+//! once an evaluation, however often they are visited. Sweeps: median of some runs, best in brackets; steps: mean with
+//! lists.
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -243,8 +245,8 @@ impl Packed {
         self.advance(|particle, rates, _| particle.velocity += rates.acceleration * (0.5 * STEP));
     }
 
-    /// A step with one visit of each pair: velocity and density are extrapolated to the middle of the next step (Adams and Bashforth,
-    /// second order), where the positions are as well.
+    /// A step with one visit of each pair: velocity and density are extrapolated to the middle of the next step (Adams
+    /// and Bashforth, second order), where the positions are as well.
     fn step_one_visit(&mut self) {
         self.advance(|particle, rates, earlier| {
             particle.velocity += (rates.acceleration * 1.5 - earlier.acceleration * 0.5) * STEP;

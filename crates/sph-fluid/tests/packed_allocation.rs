@@ -1,5 +1,5 @@
-//! A step of the packed sweep allocates nothing, with and without new lists. In a file of its own: it counts what the whole
-//! process allocates.
+//! A step of the packed sweep allocates nothing, with and without new lists. In a file of its own: it counts what the
+//! whole process allocates.
 
 use nalgebra::{SVector, Vector3};
 use sph_fluid::{FluidControls, PackedFields, PackedParticle, PackedRates, PackedRows, PackedSweep, Tait};

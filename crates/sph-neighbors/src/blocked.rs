@@ -10,11 +10,11 @@ use wide::{f64x4, u32x4};
 /// A list for sweeps whose unit of parallel work is a cubic block of particles.
 ///
 /// Owned particles are sorted by block. A pair of one block stands once, in the row of its lower member; a pair of two
-/// blocks stands in both rows. So a block writes to its own particles only, needs no atomics, and gives the same sums on any
-/// number of threads, at little more than half of the visits of a full list. Particles behind the owned ones (copies,
-/// walls) keep their places, have no rows, and stand in the rows of the owned ones that they are near to.
+/// blocks stands in both rows. So a block writes to its own particles only, needs no atomics, and gives the same sums on
+/// any number of threads, at little more than half of the visits of a full list. Particles behind the owned ones
+/// (copies, walls) keep their places, have no rows, and stand in the rows of the owned ones that they are near to.
 ///
-/// All storage is kept from one update to the next.
+/// All storage is kept from one update to the next. Memory grows with pairs and with blocks that hold particles.
 #[derive(Clone, Debug)]
 pub struct BlockedPairs<const D: usize> {
     reach: f64,
@@ -31,17 +31,17 @@ pub struct BlockedPairs<const D: usize> {
 pub struct BlockRows<'a> {
     /// The first particle of the block; its others follow.
     pub first: usize,
-    /// Where the three parts of each row start in `neighbors`: entry 3 k is the start of what the k-th particle of the block
-    /// has within the block, 3 k + 1 of the owned particles of other blocks, 3 k + 2 of particles not owned. One entry more
-    /// ends the last row.
+    /// Where the three parts of each row start in `neighbors`: entry 3 k is the start of what the k-th particle of the
+    /// block has within the block, 3 k + 1 of the owned particles of other blocks, 3 k + 2 of particles not owned. One
+    /// entry more ends the last row.
     pub starts: &'a [u32],
     /// All rows one after the other; the first and the third part of a row are ascending.
     pub neighbors: &'a [u32],
 }
 
 impl<const D: usize> BlockedPairs<D> {
-    /// A list without particles, for pairs nearer than `reach` \[m\] and blocks of about `block_edge` \[m\]. Five to six times
-    /// the reach is a good edge in 3-D: smaller blocks have more pairs across them, larger ones leave the cache.
+    /// A list without particles, for pairs nearer than `reach` \[m\] and blocks of about `block_edge` \[m\]. Five to six
+    /// times the reach is a good edge in 3-D: smaller blocks have more pairs across them, larger ones leave the cache.
     ///
     /// # Errors
     /// A reach or an edge that is not a positive length.
@@ -60,8 +60,8 @@ impl<const D: usize> BlockedPairs<D> {
         })
     }
 
-    /// Sorts the first `owned` particles and finds the pairs. Rows name owned particles by their new places, the others by
-    /// their places in `positions` \[m\]. The caller then brings its columns of owned particles into the new
+    /// Sorts the first `owned` particles and finds the pairs. Rows name owned particles by their new places, the others
+    /// by their places in `positions` \[m\]. The caller then brings its columns of owned particles into the new
     /// [`order`](Self::order).
     ///
     /// # Errors
@@ -206,8 +206,8 @@ impl<const D: usize> Candidates<D> {
         self.ids.resize(length, u32::MAX);
     }
 
-    /// Appends the candidates behind the first `from` that are nearer to a place than the root of `limit`. Squares are summed as in
-    /// `distance_squared`, so that all searches find the same pairs.
+    /// Appends the candidates behind the first `from` that are nearer to a place than the root of `limit`. Squares are
+    /// summed as in `distance_squared`, so that all searches find the same pairs.
     #[inline]
     fn find_near(&self, from: usize, place: &SVector<f64, D>, limit: f64, found: &mut Rows) {
         let columns: [&[[f64; LANES]]; D] = std::array::from_fn(|axis| self.places[axis].as_chunks().0);
@@ -276,7 +276,7 @@ mod tests {
     use crate::test_sets::{any_set, brute_force, perturbed_lattice};
     use proptest::prelude::*;
 
-    /// The full rows that a blocked list stands for, in the old numbering; each pair must be there exactly once or twice.
+    /// The full rows that a blocked list stands for, in the old numbering.
     fn full_rows<const D: usize>(pairs: &BlockedPairs<D>, particles: usize, owned: usize) -> Vec<Vec<u32>> {
         let old = |new: u32| pairs.order().order().get(new as usize).copied().unwrap_or(new);
         let mut rows = vec![Vec::new(); particles];

@@ -10,7 +10,8 @@ const CELLS_PER_REACH: i64 = 2;
 /// Cells along the edge of a block at most, which bounds the table of a block.
 const MOST_CELLS_PER_EDGE: f64 = 32.0;
 
-/// Cells along x whose points look for their pairs together: more share the work of collecting candidates, fewer have fewer of them.
+/// Cells along x whose points look for their pairs together, a home: long homes share the work of collecting candidates,
+/// short ones have fewer of them.
 const CELLS_PER_HOME: usize = 2;
 
 /// Keeps points within reach within [`CELLS_PER_REACH`] cells against round-off: coordinates count to 2^31 at most.
@@ -199,8 +200,8 @@ impl<'a, const D: usize> Surroundings<'a, D> {
         Self { frame: *frame, points, blocks }
     }
 
-    /// Calls `visit` with each run of points in the cells that a reach from a home in the middle block may end in, and with
-    /// whether it lies in the middle block. Runs of the middle block come in ascending order.
+    /// Calls `visit` with each run of points in the cells that a reach from a home in the middle block may end in, and
+    /// with whether it lies in the middle block. Runs of the middle block come in ascending order.
     pub fn runs(&self, home: &Range<usize>, mut visit: impl FnMut(bool, Range<u32>)) {
         let edge = self.frame.edge as i64;
         let cell = home.start as i64;

@@ -149,6 +149,9 @@ mod tests {
         let renumbered = order.inverse();
         let names = order.gather(&["a", "b", "c"]);
         assert_eq!(names, ["c", "a", "b"]);
+        let mut stored = vec!["x"];
+        order.gather_into(&["a", "b", "c"], &mut stored);
+        assert_eq!(stored, names);
         assert_eq!(names[renumbered.order()[1] as usize], "b");
     }
 

@@ -42,9 +42,9 @@ impl<const D: usize> PackedRates<D> {
 pub struct PackedRows<'a> {
     /// The first particle of the block; its others follow.
     pub first: usize,
-    /// Where the three parts of each row start in `neighbors`: entry 3 k is the start of what the k-th particle of the block
-    /// has within the block, 3 k + 1 of fluid elsewhere, 3 k + 2 of particles not owned: copies of fluid, then walls, by
-    /// ascending index. One entry more ends the last row.
+    /// Where the three parts of each row start in `neighbors`: entry 3 k is the start of what the k-th particle of the
+    /// block has within the block, 3 k + 1 of fluid elsewhere, 3 k + 2 of particles not owned: copies of fluid, then
+    /// walls, by ascending index. One entry more ends the last row.
     pub starts: &'a [u32],
     /// All rows one after the other; entries outside the support do no harm.
     pub neighbors: &'a [u32],
@@ -53,9 +53,10 @@ pub struct PackedRows<'a> {
 /// What the sweep reads.
 #[derive(Clone, Copy, Debug)]
 pub struct PackedFields<'p, const D: usize, R> {
-    /// Fluid in the order of the blocks, copies of fluid, then walls, which carry the pressure that the fluid shall see.
+    /// Fluid in the order of the blocks, copies of fluid, then walls with the pressure that the fluid shall see
+    /// ([`wall_state`](crate::wall_state)).
     pub particles: &'p [PackedParticle<D>],
-    /// Velocities that friction sees of the walls \[m/s\], one each.
+    /// Velocities that friction sees of the walls \[m/s\], one each ([`wall_velocity`](crate::wall_velocity)).
     pub wall_velocities: &'p [SVector<f64, D>],
     /// Number of blocks.
     pub blocks: usize,

@@ -12,18 +12,19 @@ use sph_kernel::{CubicSpline, Gaussian, KernelKind, QuinticSpline, WendlandC2};
 /// Particles that one task brings up to date.
 const PARTICLES_PER_TASK: usize = 4096;
 
-/// Continuity, pressure in the volume form, Morris viscosity, artificial viscosity and plain density diffusion of a fluid, in one
-/// visit of each pair: the sums of [`density_rate`](crate::density_rate),
+/// Continuity, pressure in the volume form, Morris viscosity, artificial viscosity and density diffusion of a fluid, in
+/// one visit of each pair: the sums of [`density_rate`](crate::density_rate),
 /// [`volume_pressure_acceleration`](crate::volume_pressure_acceleration),
-/// [`viscous_acceleration`](crate::viscous_acceleration), [`artificial_acceleration`](crate::artificial_acceleration) and
-/// [`plain_diffusion`](crate::plain_diffusion), to round-off.
+/// [`viscous_acceleration`](crate::viscous_acceleration),
+/// [`artificial_acceleration`](crate::artificial_acceleration) and [`plain_diffusion`](crate::plain_diffusion), to
+/// round-off.
 ///
-/// Diffusion leaves alone the density gradient rho_0 g/c^2 of fluid at rest under the body acceleration g, which is
-/// [`corrected_diffusion`](crate::corrected_diffusion) with that one gradient (after Fourtakas, Dominguez, Vacondio and Rogers 2019,
-/// who take the exact hydrostatic density).
+/// Diffusion leaves alone the density gradient rho_0 g/c^2 of fluid at rest under the body acceleration g: it is
+/// [`corrected_diffusion`](crate::corrected_diffusion) with that one gradient everywhere (after Fourtakas, Dominguez,
+/// Vacondio and Rogers 2019, who take the exact hydrostatic density).
 ///
-/// Blocks of particles are the unit of parallel work and fix the order of all sums: results are bit-identical for any number of
-/// threads. Nothing is allocated.
+/// Blocks of particles are the unit of parallel work and fix the order of all sums: results are bit-identical for any
+/// number of threads. Nothing is allocated. Pairs are computed four at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct PackedSweep<const D: usize> {
     controls: FluidControls<D>,
@@ -33,8 +34,8 @@ impl<const D: usize> PackedSweep<D> {
     /// The fast form of what the controls ask for.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a coefficient that is negative or not finite, and for a surface or corrected gradients, which
-    /// have no fast form.
+    /// [`Error::OutOfRange`] for a coefficient that is negative or not finite, and for a surface or corrected gradients,
+    /// which have no fast form.
     pub fn new(controls: FluidControls<D>) -> Result<Self, Error> {
         controls.check()?;
         let slow = controls.has_surface() || controls.corrected_gradients;
@@ -54,9 +55,9 @@ impl<const D: usize> PackedSweep<D> {
 
     /// What each fluid particle receives of all others: rate of density and acceleration, in one visit of each pair.
     ///
-    /// Both belong to the state of `fields`, so that a step extrapolates one of them. Where that is not wanted,
-    /// [`density_rates`](Self::density_rates) and [`accelerations`](Self::accelerations) visit the pairs once each. `rates` has one entry
-    /// per fluid particle, and is written.
+    /// Both belong to the state of `fields`, so that a step must extrapolate. Where that is not wanted,
+    /// [`density_rates`](Self::density_rates) and [`accelerations`](Self::accelerations) visit the pairs once each.
+    /// `rates` has one entry per fluid particle, and is written.
     ///
     /// # Panics
     /// If rows name particles that there are not, or blocks are not in order.
@@ -68,8 +69,8 @@ impl<const D: usize> PackedSweep<D> {
         self.run::<_, true, true>(fields, self.controls.body_acceleration, rates);
     }
 
-    /// The density rates alone, to advance the densities before forces are formed, as [`FluidSweep`](crate::FluidSweep) does;
-    /// accelerations become zero. Reads no pressures.
+    /// The density rates alone, to advance the densities before forces are formed, as [`FluidSweep`](crate::FluidSweep)
+    /// does; accelerations become zero. Reads no pressures.
     ///
     /// # Panics
     /// As [`rates`](Self::rates).

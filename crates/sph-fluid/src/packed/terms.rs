@@ -9,7 +9,8 @@ use wide::f64x4;
 /// Pairs that are computed together.
 pub(super) const LANES: usize = 4;
 
-/// Constants of all pairs. The kernel's shape is known to the compiler, and whether there are terms of `DENSITY` and of `FORCE`.
+/// Constants of all pairs. The kernel's shape is known to the compiler, and whether there are terms of `DENSITY` and of
+/// `FORCE`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Terms<S, const D: usize, const DENSITY: bool, const FORCE: bool> {
     shape: S,
