@@ -3,6 +3,7 @@
 pub mod benchmarks;
 mod error;
 mod laws;
+mod packed;
 mod patch;
 mod surface;
 mod sweep;
@@ -12,6 +13,7 @@ mod test_block;
 
 pub use error::Error;
 pub use laws::*;
+pub use packed::{PackedFields, PackedParticle, PackedRates, PackedRows, PackedSweep};
 pub use patch::{FindNeighbors, FluidPatch, PatchStart};
 pub use surface::*;
 pub use sweep::{FluidControls, FluidFields, FluidSweep};

@@ -52,11 +52,11 @@ impl<const D: usize> FluidControls<D> {
         }
     }
 
-    fn has_surface(&self) -> bool {
+    pub(crate) fn has_surface(&self) -> bool {
         self.surface_tension.is_some() || self.renewal.is_some()
     }
 
-    fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         for (name, value) in [
             ("dynamic_viscosity", self.dynamic_viscosity),
             ("artificial_viscosity", self.artificial_viscosity),

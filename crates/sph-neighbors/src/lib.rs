@@ -1,5 +1,7 @@
 #![doc = include_str!("../README.md")]
 
+mod blocked;
+mod cell_blocks;
 mod cell_frame;
 mod cell_grid;
 mod error;
@@ -15,6 +17,7 @@ mod sort;
 #[cfg(test)]
 mod test_sets;
 
+pub use blocked::{BlockRows, BlockedPairs};
 pub use error::Error;
 pub use list::NeighborList;
 pub use reach::PairReach;

@@ -15,6 +15,12 @@ impl Permutation {
         Self { order: (0..particles as u32).collect() }
     }
 
+    /// Becomes the permutation with another order, in the storage of this one.
+    pub(crate) fn refill(&mut self, order: impl Iterator<Item = u32>) {
+        self.order.clear();
+        self.order.extend(order);
+    }
+
     /// The old place of each new one.
     pub fn order(&self) -> &[u32] {
         &self.order
@@ -27,6 +33,16 @@ impl Permutation {
     pub fn gather<T: Clone>(&self, column: &[T]) -> Vec<T> {
         assert_eq!(column.len(), self.order.len(), "a column has one entry a particle");
         self.order.iter().map(|&old| column[old as usize].clone()).collect()
+    }
+
+    /// A column in the new order, in the storage of another.
+    ///
+    /// # Panics
+    /// If the column has not as many entries as the permutation.
+    pub fn gather_into<T: Copy>(&self, column: &[T], gathered: &mut Vec<T>) {
+        assert_eq!(column.len(), self.order.len(), "a column has one entry a particle");
+        gathered.clear();
+        gathered.extend(self.order.iter().map(|&old| column[old as usize]));
     }
 
     /// Puts a column into the new order.
@@ -133,6 +149,9 @@ mod tests {
         let renumbered = order.inverse();
         let names = order.gather(&["a", "b", "c"]);
         assert_eq!(names, ["c", "a", "b"]);
+        let mut stored = vec!["x"];
+        order.gather_into(&["a", "b", "c"], &mut stored);
+        assert_eq!(stored, names);
         assert_eq!(names[renumbered.order()[1] as usize], "b");
     }
 
