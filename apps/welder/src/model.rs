@@ -1,8 +1,9 @@
 //! The case as the engine takes it: numbers and curves instead of names and cards.
 
-use crate::case::scene::{EnthalpyCurve as CurveChoice, Faces, Heat, Resolution, Stress};
+use crate::case::scene::{EnthalpyCurve as CurveChoice, Faces, Flow, Heat, Resolution, Stress, Weights};
 use crate::case::{Case, MaterialCard, Property};
 use laser_source::LaserSource;
+use sph_fluid::SurfaceTension;
 use sph_solid::{IsotropicModuli, ThermalExpansion, YieldStress};
 use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
 use std::sync::Arc;
@@ -33,12 +34,43 @@ pub struct Model {
     pub laser: Option<LaserSource>,
     /// How heat is computed.
     pub heat: Heat,
+    /// How the melt flows, if it does.
+    pub flow: Option<FlowModel>,
     /// How stress is computed, if it is.
     pub stress: Option<StressModel>,
     /// End of the run \[s\].
     pub end: f64,
     /// Whether the run ends when everything has frozen after the laser's last light.
     pub stop_when_solid: bool,
+}
+
+/// Flow as the engine takes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlowModel {
+    /// What the scene says.
+    pub settings: Flow,
+    /// Dynamic viscosity of the melt, factor included \[Pa s\].
+    pub viscosity: f64,
+    /// Surface tension over temperature.
+    pub tension: SurfaceTension,
+}
+
+/// How much hotter than its rim a pool is taken to be before the run \[K\].
+const EXPECTED_EXCESS: f64 = 500.0;
+
+impl FlowModel {
+    /// Artificial speed of sound \[m/s\]: the scene's, or ten times the largest speed that it lets expect: of capillary waves
+    /// on the beam's radius, and of Marangoni flow in its boundary layer or, where friction rules, as a Stokes flow.
+    pub fn sound_speed(&self, model: &Model) -> f64 {
+        let density = model.materials[0].density;
+        let radius = model.laser.as_ref().map_or(0.5 * model.size[2], |laser| laser.beam().radius_m());
+        let capillary = (self.tension.reference() / (density * radius)).sqrt();
+        let stress = self.tension.slope().abs() * EXPECTED_EXCESS;
+        let layer = (stress * stress / (density * self.viscosity * radius)).cbrt();
+        let friction = 0.15 * stress / self.viscosity;
+        let expected = 10.0 * capillary.max(layer.min(friction));
+        self.settings.sound_speed_m_s.unwrap_or(expected)
+    }
 }
 
 /// Stress as the engine takes it.
@@ -66,6 +98,9 @@ pub enum ModelError {
     /// The thermal crate refused a material or the pair weights.
     #[error("heat: {0}")]
     Thermal(#[from] sph_thermal::Error),
+    /// The fluid crate refused its constants.
+    #[error("flow: {0}")]
+    Fluid(#[from] sph_fluid::Error),
     /// The solid crate refused a material or the body.
     #[error("stress: {0}")]
     Solid(#[from] sph_solid::Error),
@@ -84,7 +119,10 @@ impl Model {
     /// [`ModelError`] when a material is refused by the thermal crate.
     pub fn from_case(case: &Case) -> Result<Self, ModelError> {
         let scene = &case.scene;
-        let heat = scene.heat().copied().unwrap_or_default();
+        let mut heat = scene.heat().copied().unwrap_or_default();
+        if scene.flow().is_some() {
+            heat.weights = Weights::Normalized;
+        }
         let materials: Vec<_> =
             case.materials.iter().map(|material| thermal(&material.card)).collect::<Result<_, _>>()?;
         let curves =
@@ -105,6 +143,7 @@ impl Model {
             start,
             laser: scene.laser.as_ref().map(|laser| laser.source()).transpose()?,
             heat,
+            flow: scene.flow().map(|settings| flow(settings, case)).transpose()?,
             stress: scene.stress().map(|settings| stress(settings, case)).transpose()?,
             end: scene.time.end_s,
             stop_when_solid: scene.time.stop_when_solid,
@@ -126,6 +165,26 @@ impl Model {
     pub fn counts(&self) -> [i64; 3] {
         self.size.map(|size| (size / self.spacing()).round() as i64)
     }
+}
+
+/// The melt of the part's own material.
+///
+/// # Errors
+/// [`ModelError::Unsupported`] where the card lacks what flow needs, and what the fluid crate refuses.
+fn flow(settings: &Flow, case: &Case) -> Result<FlowModel, ModelError> {
+    let card = &case.materials[0].card;
+    let (Some(viscosity), Some(tension), Some(slope)) =
+        (&card.viscosity_pa_s, &card.surface_tension_n_m, &card.surface_tension_slope_n_m_k)
+    else {
+        let what =
+            "Flow needs viscosity_pa_s, surface_tension_n_m and surface_tension_slope_n_m_k of the material";
+        return Err(ModelError::Unsupported(what.into()));
+    };
+    Ok(FlowModel {
+        settings: *settings,
+        viscosity: settings.viscosity_factor * viscosity.value,
+        tension: SurfaceTension::new(tension.value, slope.value, card.liquidus_k.value)?,
+    })
 }
 
 /// The mechanical side of the part's own material.

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 use support::{Edit, MATERIAL, Row, SCENE, check, check_path, spoken};
-use support::{geometry_rows, material_rows, path_rows, scene_rows, stress_rows};
+use support::{flow_rows, geometry_rows, material_rows, path_rows, scene_rows, stress_rows};
 
 #[track_caller]
 fn assert_refused(code: Option<i32>, message: &str, words: &[&str]) {
@@ -58,6 +58,25 @@ fn wrong_stress() {
     let fields = "output.fields=[\"von_mises_pa\"]";
     let (code, message) = check(SCENE, MATERIAL, &[fields]);
     assert_refused(code, &message, &["a field of Stress, which the scene does not list"]);
+}
+
+#[test]
+fn wrong_flow() {
+    let (scene, metal) = (flow_rows::scene(), flow_rows::material());
+    for &(from, to, at, words) in flow_rows::FLOWS {
+        let edit = Edit { from, to, at };
+        let scene = edit.apply(&scene);
+        let (code, message) = check(&scene, &metal, &[]);
+        assert_refused(code, &message, words);
+        assert_refused(code, &message, &[&edit.place(&scene, "scene.ron")]);
+    }
+    let good = scene.replace("Symmetry", "Adiabatic");
+    let (code, message) = check(&good, &metal, &[]);
+    assert_eq!(code, Some(0), "{message}");
+    let (code, message) = check(&good, &metal.replace("value: 1.3e-3", "value: 1.3"), &[]);
+    assert_refused(code, &message, &["viscosity_pa_s.value", "mPa s (then write 1.3e-3)"]);
+    let (code, message) = check(&good, MATERIAL, &[]);
+    assert_refused(code, &message, &["Flow needs viscosity_pa_s of metal", "leave out Flow"]);
 }
 
 #[test]

@@ -84,6 +84,39 @@ fn stress_is_the_same_on_two_threads_and_after_a_stop() {
 }
 
 #[test]
+fn flow_is_the_same_on_two_threads_and_after_a_stop() {
+    let folder = tempfile::tempdir().unwrap();
+    let [whole, two, halves] = ["whole", "two", "halves"].map(|name| folder.path().join(name));
+    let small = [
+        "--set",
+        "part.size_m=(1.2e-3,1.2e-3,0.6e-3)",
+        "--set",
+        "part.low_corner_m=(-0.6e-3,-0.6e-3)",
+        "--set",
+        "part.start_k=700.0",
+        "--set",
+        "part.faces=()",
+        "--set",
+        "laser.path.pulse.duration_s=0.0008",
+        "--set",
+        "time.end_s=0.0012",
+        "--set",
+        "physics=[Heat(),Flow(viscosity_factor: 20.0)]",
+    ];
+    let run = |out: &Path, more: &[&str]| code(&welder(out, &[&small, more].concat()));
+    assert_eq!(run(&whole, &["--threads", "1"]), 0);
+    assert_eq!(run(&two, &["--threads", "2"]), 0);
+    same_results(&whole, &two);
+    for until in ["0.0005", "0.0009"] {
+        assert_eq!(run(&halves, &["--until", until]), 0);
+        assert_eq!(run(&halves, &["--resume"]), 0);
+        same_results(&whole, &halves);
+    }
+    let numbers = result(&whole).numbers;
+    assert!(numbers["reynolds"] > 0.1 && numbers["mach"] < 0.2, "{numbers:?}");
+}
+
+#[test]
 fn threads_and_interruptions_leave_the_same_bits() {
     let folder = tempfile::tempdir().unwrap();
     let [whole, two, halves] = ["whole", "two", "halves"].map(|name| folder.path().join(name));

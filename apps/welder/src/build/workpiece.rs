@@ -9,6 +9,9 @@ use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use sph_thermal::conduction::{Parity, Planes};
 
+/// Disorder of melt that flows, in spacings: rows must reach as far as if a particle had left its cell.
+const FLOWING: f64 = 0.5;
+
 /// Particles of a part, and where they came from.
 #[derive(Debug, Clone)]
 pub struct Workpiece {
@@ -51,7 +54,7 @@ impl Workpiece {
             high,
             finest,
             levels: plan.levels(),
-            disorder: model.resolution.disorder,
+            disorder: if model.flow.is_some() { FLOWING } else { model.resolution.disorder },
         }
     }
 }

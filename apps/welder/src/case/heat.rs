@@ -1,5 +1,6 @@
 //! The list of physics in a scene, and the settings of heat conduction.
 
+use super::flow::Flow;
 use super::stress::Stress;
 use serde::{Deserialize, Serialize};
 
@@ -9,6 +10,8 @@ use serde::{Deserialize, Serialize};
 pub enum Physics {
     /// Heat conduction with melting and freezing.
     Heat(Heat),
+    /// Flow of the melt in a solid that does not move; needs Heat.
+    Flow(Flow),
     /// Thermal stress in a body that heat warms; needs Heat.
     Stress(Stress),
 }
@@ -18,6 +21,7 @@ impl Physics {
     pub fn name(&self) -> &'static str {
         match self {
             Physics::Heat(_) => "Heat",
+            Physics::Flow(_) => "Flow",
             Physics::Stress(_) => "Stress",
         }
     }

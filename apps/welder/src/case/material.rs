@@ -30,6 +30,15 @@ pub struct MaterialCard {
     pub conductivity_solid_w_m_k: Property,
     /// Thermal conductivity of the melt in W/(m K).
     pub conductivity_liquid_w_m_k: Property,
+    /// Dynamic viscosity of the melt in Pa s; read by Flow alone, as are the two below.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub viscosity_pa_s: Option<Quantity>,
+    /// Surface tension of the melt at the liquidus in N/m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface_tension_n_m: Option<Quantity>,
+    /// Change of the surface tension with temperature in N/(m K), mostly negative.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface_tension_slope_n_m_k: Option<Quantity>,
     /// Young's modulus of the solid in Pa, constant in the model; read by Stress alone, as are those below.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub young_pa: Option<Quantity>,
@@ -54,6 +63,12 @@ impl MaterialCard {
             ("latent_heat_j_kg", &self.latent_heat_j_kg),
         ];
         all.extend(self.boiling_k.as_ref().map(|boiling| ("boiling_k", boiling)));
+        let melt = [
+            ("viscosity_pa_s", &self.viscosity_pa_s),
+            ("surface_tension_n_m", &self.surface_tension_n_m),
+            ("surface_tension_slope_n_m_k", &self.surface_tension_slope_n_m_k),
+        ];
+        all.extend(melt.into_iter().filter_map(|(name, value)| Some((name, value.as_ref()?))));
         all.extend(self.young_pa.as_ref().map(|young| ("young_pa", young)));
         all.extend(self.poisson.as_ref().map(|poisson| ("poisson", poisson)));
         all

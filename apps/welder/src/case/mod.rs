@@ -1,6 +1,7 @@
 //! Cases: reading, overriding, checking and writing scene files and material cards.
 
 mod card;
+mod flow;
 mod heat;
 mod laser;
 mod lex;

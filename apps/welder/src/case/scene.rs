@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+pub use super::flow::Flow;
 pub use super::heat::{ConductivityMean, EnthalpyCurve, Heat, KernelShape, Physics, Stepping, Weights};
 pub use super::laser::Laser;
 pub use super::material::MaterialCard;
@@ -66,8 +67,8 @@ pub struct Output {
     pub history_interval_s: Option<f64>,
     /// Time between checkpoints. Default: a fifth of `time.end_s`.
     pub checkpoint_interval_s: Option<f64>,
-    /// Columns of the frames, out of [`OUTPUT_FIELDS`] and, with Stress, [`STRESS_FIELDS`]. Default: temperature_k, phase,
-    /// was_molten, and all those of Stress where it is computed.
+    /// Columns of the frames, out of [`OUTPUT_FIELDS`] with Flow [`FLOW_FIELDS`] and with Stress [`STRESS_FIELDS`]. Default:
+    /// temperature_k, phase, was_molten, and all those of Flow and Stress where they are computed.
     pub fields: Option<Vec<String>>,
     /// Whether pictures (PNG) are drawn. Default: true.
     pub pictures: bool,
@@ -84,6 +85,9 @@ pub const OUTPUT_FIELDS: &[&str] = &[
     "spacing_m",
     "material",
 ];
+
+/// The columns that a frame can hold besides where the melt flows.
+pub const FLOW_FIELDS: &[&str] = &["velocity_m_s", "pressure_pa", "is_melt"];
 
 /// The columns that a frame can hold besides where stress is computed.
 pub const STRESS_FIELDS: &[&str] =
@@ -140,7 +144,7 @@ impl Scene {
     pub fn heat(&self) -> Option<&Heat> {
         self.physics.iter().find_map(|physics| match physics {
             Physics::Heat(heat) => Some(heat),
-            Physics::Stress(_) => None,
+            _ => None,
         })
     }
 
@@ -148,15 +152,29 @@ impl Scene {
     pub fn stress(&self) -> Option<&Stress> {
         self.physics.iter().find_map(|physics| match physics {
             Physics::Stress(stress) => Some(stress),
-            Physics::Heat(_) => None,
+            _ => None,
         })
+    }
+
+    /// The settings of the flow of the melt, when the scene lists it.
+    pub fn flow(&self) -> Option<&Flow> {
+        self.physics.iter().find_map(|physics| match physics {
+            Physics::Flow(flow) => Some(flow),
+            _ => None,
+        })
+    }
+
+    /// The columns of frames that the listed physics have of their own.
+    pub fn own_fields(&self) -> Vec<&'static str> {
+        let stress = if self.stress().is_some() { STRESS_FIELDS } else { &[] };
+        let flow = if self.flow().is_some() { FLOW_FIELDS } else { &[] };
+        stress.iter().chain(flow).copied().collect()
     }
 
     /// Columns of the frames, the default filled in.
     pub fn frame_fields(&self) -> Vec<String> {
         let heat = ["temperature_k", "phase", "was_molten"].as_slice();
-        let stress = if self.stress().is_some() { STRESS_FIELDS } else { &[] };
-        let default = || heat.iter().chain(stress).map(|name| name.to_string()).collect();
+        let default = || heat.iter().copied().chain(self.own_fields()).map(String::from).collect();
         self.output.fields.clone().unwrap_or_else(default)
     }
 }

@@ -3,6 +3,7 @@
 
 mod faces;
 mod findings;
+mod flow;
 mod laser;
 mod lattice;
 mod material;
@@ -42,6 +43,9 @@ pub fn validate(
     }
     for card in cards {
         problems.extend(material::check(card));
+        if scene.flow().is_some() {
+            problems.extend(flow::check_card(card));
+        }
         if scene.stress().is_some() {
             problems.extend(stress::check_card(card));
         }

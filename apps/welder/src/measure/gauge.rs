@@ -144,6 +144,11 @@ impl Gauge {
         })
     }
 
+    /// Reads nodes from where particles are now.
+    pub fn rearrange(&mut self, model: &Model, workpiece: &Workpiece) {
+        self.sampler = Sampler::new(workpiece, &model.faces);
+    }
+
     /// Measures the state at `time` after a step of `step` \[s\].
     pub fn measure(&mut self, model: &Model, particles: &Particles<3>, time: f64, step: f64) -> Measure {
         let curve = |i: usize| &self.curves[particles.material[i] as usize];

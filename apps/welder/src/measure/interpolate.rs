@@ -13,6 +13,9 @@ use sph_thermal::conduction::Images;
 /// Radius within which particles speak for a node, in spacings.
 const RADIUS: f64 = 2.3;
 
+/// A particle this near to its node, in spacings, stands on it.
+const ON_NODE: f64 = 1e-6;
+
 /// How the nodes of the finest grid are read off the particles.
 pub enum Sampler {
     /// Node n is particle `[n]`.
@@ -72,15 +75,30 @@ fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {
     let source = |k: usize| if k < particles.len() { k as u32 } else { images.source[k - particles.len()] };
     let (mut starts, mut entries) = (vec![0], Vec::new());
     for n in 0..count {
+        // Where a particle stands on its node, it speaks for it alone.
+        let own = workpiece.finest_particles[n];
+        if (everything[count + own as usize] - everything[n]).norm() < ON_NODE * workpiece.spacing {
+            entries.push((own, 1.0));
+            starts.push(entries.len());
+            continue;
+        }
         let near: Vec<usize> = list.row(n).iter().map(|&k| k as usize).filter(|&k| k >= count).collect();
         let offsets: Vec<_> = near.iter().map(|&k| (everything[k] - everything[n]) / radius).collect();
+        if near.is_empty() {
+            // Nobody is left here: what stood here first speaks for its place.
+            entries.push((own, 1.0));
+        }
         entries.extend(near.iter().zip(weights(&offsets)).map(|(&k, w)| (source(k - count), w)));
         starts.push(entries.len());
     }
     Sampler::Scattered { starts, entries }
 }
 
-/// Moving-least-squares weights at the origin of points at `offsets` (in radii).
+/// Sum of the sizes of weights above which points lie too badly for a quadratic: on the edge of a void that melt has left, say.
+const LARGEST_WEIGHTS: f64 = 3.0;
+
+/// Moving-least-squares weights at the origin of points at `offsets` (in radii), or those of a plain mean where the former would
+/// extrapolate.
 fn weights(offsets: &[Vector3<f64>]) -> Vec<f64> {
     let basis = |r: &Vector3<f64>| {
         SVector::<f64, 10>::from([
@@ -103,12 +121,30 @@ fn weights(offsets: &[Vector3<f64>]) -> Vec<f64> {
     }
     let value = SVector::<f64, 10>::from_fn(|row, _| if row == 0 { 1.0 } else { 0.0 });
     let solved = moments.lu().solve(&value).unwrap_or(SVector::zeros());
-    offsets.iter().map(|r| weight(r) * solved.dot(&basis(r))).collect()
+    let quadratic: Vec<f64> = offsets.iter().map(|r| weight(r) * solved.dot(&basis(r))).collect();
+    let sizes: f64 = quadratic.iter().map(|w| w.abs()).sum();
+    if (0.5..=LARGEST_WEIGHTS).contains(&sizes) {
+        return quadratic;
+    }
+    let total: f64 = offsets.iter().map(weight).sum();
+    offsets.iter().map(|r| weight(r) / total).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn points_on_one_side_are_not_carried_on_beyond_their_range() {
+        let offsets: Vec<_> = (0..12)
+            .map(|n| {
+                Vector3::new(0.5 + 0.04 * f64::from(n % 4), 0.1 * f64::from(n / 4) - 0.1, 0.02 * f64::from(n))
+            })
+            .collect();
+        let weights = weights(&offsets);
+        assert!(weights.iter().all(|&w| (0.0..=1.0).contains(&w)), "{weights:?}");
+        assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+    }
 
     #[test]
     fn quadratics_are_read_exactly_from_scattered_points() {

@@ -4,10 +4,13 @@
 //! columns, says its own step limit, and reports to the ledger; the run loop knows none of them by name. To add one:
 //! its laws in a crate, one file here, one variant in the case's enum (see CONTRIBUTING).
 
+pub mod flow;
 pub mod heat;
 pub mod rows;
 pub mod stress;
 
+use crate::build::Workpiece;
+use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
@@ -30,13 +33,26 @@ pub trait Physics<const D: usize> {
     /// [`Failure`] when the state is no longer one that physics knows.
     fn advance(&mut self, particles: &mut Particles<D>, time: f64, step: f64) -> Result<f64, Failure>;
 
+    /// Whether its last step moved particles, so that neighbours must be found anew.
+    fn moves(&self) -> bool {
+        false
+    }
+
+    /// Takes up the new places of particles, after another physics has moved them.
+    ///
+    /// # Errors
+    /// [`ModelError`] when neighbours or weights cannot be found anew.
+    fn rearrange(&mut self, _model: &Model, _workpiece: &Workpiece) -> Result<(), ModelError> {
+        Ok(())
+    }
+
     /// Its share of the energy ledger so far \[J\].
     fn energy(&self) -> Exchange;
 
     /// What it has cost so far.
     fn cost(&self) -> Cost;
 
-    /// Stress and deformation of the moment, where this physics has them.
+    /// Flow, stress and deformation of the moment, where this physics has them.
     fn mechanics(&self) -> Option<Mechanics> {
         None
     }
@@ -65,9 +81,13 @@ pub enum Column<const D: usize> {
     Vector(Vec<SVector<f64, D>>),
 }
 
-/// Stress and deformation of the part, mirror images not counted.
+/// Flow, stress and deformation of the part, mirror images not counted; zero where they are not computed.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mechanics {
+    /// Kinetic energy of the flow \[J\].
+    pub kinetic: f64,
+    /// Speed of the fastest particle \[m/s\].
+    pub largest_speed: f64,
     /// Elastic energy \[J\].
     pub strain: f64,
     /// Kinetic energy of a body that settles over its elastic energy \[-\]: how far it is from equilibrium.

@@ -30,8 +30,10 @@ pub fn level_plan(model: &Model, grown: f64) -> Result<LevelPlan<3>, ModelError>
         Levels::FineBox { low_m, high_m } => {
             Ok(LevelPlan::around(counts, explicit_box(model, low_m, high_m)))
         }
-        // A stressed body takes one spacing.
-        Levels::Auto if model.laser.is_none() || model.stress.is_some() => Ok(LevelPlan::uniform(counts)),
+        // A stressed body and a melt that flows take one spacing.
+        Levels::Auto if model.laser.is_none() || model.stress.is_some() || model.flow.is_some() => {
+            Ok(LevelPlan::uniform(counts))
+        }
         Levels::Auto => {
             let fine = fine_box_around(model, pool_bounds(model)?, margin(model) + grown);
             Ok(LevelPlan::around(counts, fine))

@@ -52,22 +52,48 @@ pub fn summary(simulation: &Simulation, status: Status, wall_s: f64, setup_s: f6
             sensible_j: ledger.sensible,
             latent_j: ledger.latent,
             lost_j: ledger.lost,
-            kinetic_j: 0.0,
+            kinetic_j: mechanics.map_or(0.0, |mechanics| copies * mechanics.kinetic),
             strain_j: mechanics.map_or(0.0, |mechanics| copies * mechanics.strain),
             residual_rel: ledger.residual,
         },
-        stress: mechanics.map(|mechanics| StressEnd {
+        stress: mechanics.filter(|_| simulation.model().stress.is_some()).map(|mechanics| StressEnd {
             max_von_mises_pa: mechanics.largest_von_mises,
             max_displacement_m: mechanics.largest_displacement,
             max_plastic_strain: mechanics.largest_plastic_strain,
             unrest: mechanics.unrest,
         }),
-        numbers: numbers(simulation.model()),
+        numbers: {
+            let mut numbers = numbers(simulation.model());
+            numbers.extend(flow_numbers(simulation));
+            numbers
+        },
     }
 }
 
 fn sizes(extent: &Extent) -> PoolSize {
     PoolSize { max_width_m: extent.width, max_length_m: extent.length, max_depth_m: extent.depth }
+}
+
+/// Dimensionless numbers of the flow, with the largest speed v of the run, half the pool's largest width R and its largest
+/// excess dT over the liquidus: reynolds rho v R/eta, cell_reynolds rho v dx/eta, mach v/c of the artificial sound,
+/// marangoni |tau_T| dT R rho c_p/(eta k), weber rho v^2 R/tau.
+fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
+    let (model, records) = (simulation.model(), simulation.records());
+    let (Some(flow), true) = (&model.flow, records.liquidus.width > 0.0) else { return BTreeMap::new() };
+    let material = &model.materials[0];
+    let (radius, speed) = (0.5 * records.liquidus.width, records.largest_speed);
+    let inertia = material.density * speed / flow.viscosity;
+    let excess = records.peak_temperature - material.liquidus;
+    let diffusivity = material.conductivity(material.liquidus)
+        / (material.density * material.heat_capacity_liquid.at(material.liquidus));
+    let numbers = [
+        ("reynolds", inertia * radius),
+        ("cell_reynolds", inertia * model.spacing()),
+        ("mach", speed / simulation.sound_speed().unwrap_or(f64::NAN)),
+        ("marangoni", flow.tension.slope().abs() * excess * radius / (flow.viscosity * diffusivity)),
+        ("weber", material.density * speed * speed * radius / flow.tension.reference()),
+    ];
+    numbers.into_iter().map(|(name, value)| (name.to_string(), value)).collect()
 }
 
 /// Dimensionless numbers of heat: fourier and peclet of the beam, stefan of the melting range, and what resolves them.

@@ -17,6 +17,7 @@ struct Saved {
 }
 
 const ENTHALPY: &str = "enthalpy_j_kg";
+const POSITION: [&str; 3] = ["position_x_m", "position_y_m", "position_z_m"];
 const PEAK_ENTHALPY: &str = "peak_enthalpy_j_kg";
 
 impl Simulation {
@@ -42,6 +43,12 @@ impl Simulation {
         })?;
         checkpoint.put_column(ENTHALPY, &self.workpiece.particles.enthalpy)?;
         checkpoint.put_column(PEAK_ENTHALPY, &self.workpiece.particles.peak_enthalpy)?;
+        if self.model.flow.is_some() {
+            for (axis, name) in POSITION.into_iter().enumerate() {
+                let column: Vec<f64> = self.workpiece.particles.position.iter().map(|x| x[axis]).collect();
+                checkpoint.put_column(name, &column)?;
+            }
+        }
         Ok(checkpoint)
     }
 
@@ -71,6 +78,20 @@ impl Simulation {
         }
         self.workpiece.particles.enthalpy = enthalpy;
         self.workpiece.particles.peak_enthalpy = peak_enthalpy;
+        if self.model.flow.is_some() {
+            for (axis, name) in POSITION.into_iter().enumerate() {
+                let column: Vec<f64> = checkpoint.column(name)?;
+                if column.len() != count {
+                    return Err(wrong(format!(
+                        "{name} is of {} particles; the case has {count}",
+                        column.len()
+                    )));
+                }
+                let positions = self.workpiece.particles.position.iter_mut();
+                positions.zip(column).for_each(|(position, x)| position[axis] = x);
+            }
+            self.rearrange().map_err(|error| wrong(error.to_string()))?;
+        }
         for (physics, (name, state)) in self.physics.iter_mut().zip(&saved.physics) {
             if physics.name() != name {
                 return Err(wrong(format!("it holds {name} where the case has {}", physics.name())));

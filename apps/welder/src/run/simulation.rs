@@ -5,7 +5,9 @@ use crate::build::{LevelPlan, Workpiece};
 use crate::measure::{Extent, Gauge, Measure};
 use crate::model::{Model, ModelError};
 use crate::particles::Particles;
-use crate::physics::{Column, Cost, Exchange, Failure, Mechanics, Physics, heat::Heat, stress::Stress};
+use crate::physics::{
+    Column, Cost, Exchange, Failure, Mechanics, Physics, flow::Flow, heat::Heat, stress::Stress,
+};
 use serde::{Deserialize, Serialize};
 use sph_integrate::{StepLimit, smallest};
 use std::collections::BTreeMap;
@@ -19,6 +21,8 @@ pub struct Records {
     pub solidus: Extent,
     /// Highest temperature of the top face \[K\].
     pub peak_temperature: f64,
+    /// Largest speed of the melt \[m/s\].
+    pub largest_speed: f64,
     /// When the last melt froze \[s\].
     pub solidified_at: Option<f64>,
     /// The last measure.
@@ -63,6 +67,9 @@ impl Simulation {
     pub fn with_plan(model: Model, plan: &LevelPlan<3>) -> Result<Self, ModelError> {
         let workpiece = Workpiece::new(&model, plan);
         let mut physics: Vec<Box<dyn Physics<3>>> = vec![Box::new(Heat::new(&model, &workpiece)?)];
+        if let Some(flow) = &model.flow {
+            physics.push(Box::new(Flow::new(&model, flow, &workpiece)?));
+        }
         if let Some(stress) = &model.stress {
             physics.push(Box::new(Stress::new(&model, stress, &workpiece)?));
         }
@@ -85,12 +92,34 @@ impl Simulation {
         for physics in &mut self.physics {
             taken = physics.advance(&mut self.workpiece.particles, self.time, taken)?;
         }
+        if self.physics.iter().any(|physics| physics.moves()) {
+            self.rearrange().map_err(|error| self.lost_neighbors(&error))?;
+        }
         let start = self.time;
         self.time = if taken == wanted && wanted == event - start { event } else { start + taken };
         self.steps += 1;
         *self.limits.entry(limit.name.to_string()).or_default() += 1;
         self.record(start, taken);
         Ok(StepReport { step: taken, limit: limit.name })
+    }
+
+    /// Finds neighbours, weights and the gauge's nodes anew, after particles have moved.
+    pub(super) fn rearrange(&mut self) -> Result<(), ModelError> {
+        for physics in &mut self.physics {
+            physics.rearrange(&self.model, &self.workpiece)?;
+        }
+        self.gauge.rearrange(&self.model, &self.workpiece);
+        Ok(())
+    }
+
+    fn lost_neighbors(&self, error: &ModelError) -> Failure {
+        Failure {
+            physics: "heat",
+            what: format!("the particles that have moved cannot be taken up: {error}"),
+            time: self.time,
+            at: None,
+            advice: "see the dossier for where the melt has gone".into(),
+        }
     }
 
     /// Cuts a step to end on `event`, or halves what is left so that no sliver remains.
@@ -118,6 +147,11 @@ impl Simulation {
         records.solidus = records.solidus.max(&now.solidus);
         records.peak_temperature = records.peak_temperature.max(now.peak_temperature);
         records.now = now;
+        if self.model.flow.is_some() {
+            let speed =
+                self.physics.iter().filter_map(|physics| physics.mechanics()).map(|m| m.largest_speed);
+            records.largest_speed = speed.fold(records.largest_speed, f64::max);
+        }
     }
 
     /// Whether there is nothing left to do.
@@ -192,6 +226,11 @@ impl Simulation {
     /// Stress and deformation now, where the scene computes them.
     pub fn mechanics(&self) -> Option<Mechanics> {
         self.physics.iter().find_map(|physics| physics.mechanics())
+    }
+
+    /// Artificial speed of sound of the melt \[m/s\], where it flows.
+    pub fn sound_speed(&self) -> Option<f64> {
+        self.model.flow.as_ref().map(|flow| flow.sound_speed(&self.model))
     }
 
     /// Columns that physics have of their own, by name with unit; to be shown.

@@ -88,6 +88,7 @@ pub(super) fn view<'a>(
 fn history(simulation: &Simulation, last: &StepReport) -> HistoryRow {
     let (now, ledger) = (&simulation.records().now, simulation.ledger());
     let mechanics = simulation.mechanics();
+    let stress = mechanics.filter(|_| simulation.model().stress.is_some());
     HistoryRow {
         time_s: simulation.time(),
         step: simulation.steps(),
@@ -98,14 +99,14 @@ fn history(simulation: &Simulation, last: &StepReport) -> HistoryRow {
         pool_length_m: now.liquidus.length,
         pool_depth_m: now.liquidus.depth,
         melt_volume_m3: now.melt_volume,
-        max_speed_m_s: 0.0,
+        max_speed_m_s: mechanics.map_or(0.0, |mechanics| mechanics.largest_speed),
         energy_in_j: ledger.absorbed,
         energy_stored_j: ledger.sensible + ledger.latent,
         energy_lost_j: ledger.lost,
         energy_residual_rel: ledger.residual,
-        max_von_mises_pa: mechanics.map(|mechanics| mechanics.largest_von_mises),
-        max_displacement_m: mechanics.map(|mechanics| mechanics.largest_displacement),
-        max_plastic_strain: mechanics.map(|mechanics| mechanics.largest_plastic_strain),
+        max_von_mises_pa: stress.map(|mechanics| mechanics.largest_von_mises),
+        max_displacement_m: stress.map(|mechanics| mechanics.largest_displacement),
+        max_plastic_strain: stress.map(|mechanics| mechanics.largest_plastic_strain),
     }
 }
 

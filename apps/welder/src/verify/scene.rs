@@ -63,6 +63,7 @@ pub fn block(counts: [usize; 3], spacing: f64, materials: Vec<ThermalMaterial>) 
         start: uniform_start(START),
         laser: None,
         heat: Heat::default(),
+        flow: None,
         stress: None,
         end: 0.0,
         stop_when_solid: false,

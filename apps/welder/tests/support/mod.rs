@@ -1,5 +1,6 @@
 //! A good scene with its material, edits of both, and what the program says of the result.
 
+pub mod flow_rows;
 pub mod geometry_rows;
 pub mod material_rows;
 pub mod path_rows;

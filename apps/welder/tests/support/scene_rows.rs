@@ -17,7 +17,7 @@ pub const FORM: &[Row] = &[
         "Symetry",
         &["part.faces.x_min", "did you mean `Symmetry`", "Adiabatic"],
     ),
-    ("Heat()", "Flow()", "Flow", &["physics.0", "`Flow`", "accepted: Heat"]),
+    ("Heat()", "Vapour()", "Vapour", &["physics.0", "`Vapour`", "accepted: Heat"]),
     ("Heat()", "Heat", "Heat", &["physics.0", "found `Heat`", "Name()"]),
     ("Heat()", "Heat(kernel: Wendland)", "Wendland", &["physics.0.kernel", "did you mean `WendlandC2`"]),
     ("Heat()", "Heat(stepping: Euler(facto: 0.5))", "facto:", &["physics.0.stepping.facto", "`factor`"]),

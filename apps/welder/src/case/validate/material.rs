@@ -6,7 +6,7 @@ use super::super::problem::Problem;
 use super::findings::Findings;
 use super::plausible::{
     BOILING, CONDUCTIVITY, DENSITY, EXPANSION, HEAT_CAPACITY, LATENT_HEAT, MELTING, POISSON, Range,
-    TABLE_TEMPERATURE, YIELD, YOUNG, number,
+    TABLE_TEMPERATURE, TENSION, TENSION_SLOPE, VISCOSITY, YIELD, YOUNG, number,
 };
 
 /// Least distance of solidus and liquidus in kelvin; below it the slope of the enthalpy curve has no use.
@@ -35,6 +35,9 @@ fn quantity_range(name: &str) -> &'static Range {
         "density_kg_m3" => &DENSITY,
         "latent_heat_j_kg" => &LATENT_HEAT,
         "boiling_k" => &BOILING,
+        "viscosity_pa_s" => &VISCOSITY,
+        "surface_tension_n_m" => &TENSION,
+        "surface_tension_slope_n_m_k" => &TENSION_SLOPE,
         "young_pa" => &YOUNG,
         "poisson" => &POISSON,
         _ => &MELTING,

@@ -70,6 +70,19 @@ pub const HEAT_CAPACITY: Range =
 /// Thermal conductivity of a metal.
 pub const CONDUCTIVITY: Range =
     range("W/(m K)", 1.0, 3000.0, &[("W/(mm K)", 1e3, 0.0), ("W/(cm K)", 100.0, 0.0)]);
+/// Dynamic viscosity of a melt.
+pub const VISCOSITY: Range = range("Pa s", 1e-4, 1.0, &[("mPa s", 1e-3, 0.0)]);
+/// Surface tension of a melt.
+pub const TENSION: Range = range("N/m", 0.01, 5.0, &[("mN/m", 1e-3, 0.0)]);
+/// Change of surface tension with temperature.
+pub const TENSION_SLOPE: Range =
+    Range { or_zero: true, ..range("N/(m K)", -5e-3, 5e-3, &[("mN/(m K)", 1e-3, 0.0)]) };
+/// Artificial speed of sound in a melt.
+pub const MELT_SOUND: Range = range("m/s", 0.1, 1e4, &[("km/s", 1e3, 0.0)]);
+/// How many times as viscous a melt is made.
+pub const VISCOSITY_FACTOR: Range = range("", 1.0, 1e4, &[]);
+/// Artificial viscosity of a melt.
+pub const ARTIFICIAL_VISCOSITY: Range = Range { or_zero: true, ..range("", 1e-4, 1.0, &[]) };
 /// Young's modulus of a metal.
 pub const YOUNG: Range = range("Pa", 1e8, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
 /// Poisson's ratio of a metal.

@@ -1,7 +1,7 @@
 //! Physics, time, output and budget.
 
 use super::super::nearest::suggestion;
-use super::super::scene::{Heat, OUTPUT_FIELDS, Physics, STRESS_FIELDS, Scene, Stepping};
+use super::super::scene::{FLOW_FIELDS, Heat, OUTPUT_FIELDS, Physics, STRESS_FIELDS, Scene, Stepping};
 use super::findings::Findings;
 use super::plausible::{DURATION, SMOOTHING_RATIO, STEP_FACTOR, TOLERANCE, number};
 
@@ -31,6 +31,7 @@ fn check_physics(findings: &mut Findings, scene: &Scene) {
         );
         match physics {
             Physics::Heat(heat) => check_heat(findings, &format!("physics.{index}"), heat),
+            Physics::Flow(flow) => super::flow::check(findings, scene, &format!("physics.{index}"), flow),
             Physics::Stress(stress) => {
                 super::stress::check(findings, scene, &format!("physics.{index}"), stress)
             }
@@ -84,14 +85,15 @@ fn check_intervals(findings: &mut Findings, scene: &Scene, end_is_fine: bool) {
 
 fn check_fields(findings: &mut Findings, scene: &Scene) {
     let Some(fields) = &scene.output.fields else { return };
-    let stress = if scene.stress().is_some() { STRESS_FIELDS } else { &[] };
-    let all: Vec<&str> = OUTPUT_FIELDS.iter().chain(stress).copied().collect();
+    let all: Vec<&str> = OUTPUT_FIELDS.iter().copied().chain(scene.own_fields()).collect();
     for (index, name) in fields.iter().enumerate() {
         let place = format!("output.fields.{index}");
         let known = all.contains(&name.as_str());
         let twice = fields[..index].contains(name);
         let reason = if STRESS_FIELDS.contains(&name.as_str()) {
             "a field of Stress, which the scene does not list under physics"
+        } else if FLOW_FIELDS.contains(&name.as_str()) {
+            "a field of Flow, which the scene does not list under physics"
         } else {
             "there is no such output field"
         };

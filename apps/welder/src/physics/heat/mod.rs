@@ -340,6 +340,15 @@ impl Physics<3> for Heat {
         }
     }
 
+    fn rearrange(&mut self, model: &Model, workpiece: &Workpiece) -> Result<(), ModelError> {
+        let mut moved = Self::new(model, workpiece)?;
+        moved.step_size.restore(self.step_size.state());
+        moved.exchange = self.exchange;
+        moved.cost = self.cost;
+        *self = moved;
+        Ok(())
+    }
+
     fn energy(&self) -> Exchange {
         self.exchange
     }

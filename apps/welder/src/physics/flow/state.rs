@@ -1,0 +1,92 @@
+//! What changes in a melt, and its place in a checkpoint.
+
+use crate::physics::Cost;
+use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+
+/// Columns of all particles of the scene; those that have not melted stand still.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct State {
+    /// Who flows.
+    pub molten: Vec<bool>,
+    /// Velocities \[m/s\].
+    pub velocities: Vec<Vector3<f64>>,
+    /// Densities of the weakly compressible melt \[kg/m³\].
+    pub densities: Vec<f64>,
+    /// Pressures at the last step; zero where nothing flows \[Pa\].
+    pub pressures: Vec<f64>,
+    /// Mass of a particle \[kg\].
+    pub particle_mass: f64,
+    /// Work so far.
+    pub cost: Cost,
+}
+
+/// The state in numbers.
+#[derive(Serialize, Deserialize)]
+struct Saved {
+    molten: Vec<bool>,
+    velocities: Vec<[f64; 3]>,
+    densities: Vec<f64>,
+    pressures: Vec<f64>,
+    particle_mass: f64,
+    cost: Cost,
+}
+
+impl State {
+    /// `count` particles, none molten.
+    pub fn at_rest(count: usize, density: f64) -> Self {
+        Self {
+            molten: vec![false; count],
+            velocities: vec![Vector3::zeros(); count],
+            densities: vec![density; count],
+            pressures: vec![0.0; count],
+            particle_mass: 0.0,
+            cost: Cost::default(),
+        }
+    }
+
+    /// Whether anything flows.
+    pub fn any_molten(&self) -> bool {
+        self.molten.contains(&true)
+    }
+
+    /// Speed of the fastest particle \[m/s\].
+    pub fn largest_speed(&self) -> f64 {
+        self.velocities.iter().map(Vector3::norm_squared).fold(0.0, f64::max).sqrt()
+    }
+
+    /// Bytes for a checkpoint.
+    pub fn save(&self) -> Vec<u8> {
+        let saved = Saved {
+            molten: self.molten.clone(),
+            velocities: self.velocities.iter().map(|&velocity| velocity.into()).collect(),
+            densities: self.densities.clone(),
+            pressures: self.pressures.clone(),
+            particle_mass: self.particle_mass,
+            cost: self.cost,
+        };
+        postcard::to_stdvec(&saved).expect("numbers and columns always serialise")
+    }
+
+    /// The state that [`save`](Self::save) gave, of the same particles as `like`.
+    ///
+    /// # Errors
+    /// A message when the bytes are of no such state.
+    pub fn restore(saved: &[u8], like: &Self) -> Result<Self, String> {
+        let saved: Saved = postcard::from_bytes(saved).map_err(|error| format!("flow: {error}"))?;
+        let count = like.molten.len();
+        let lengths =
+            [saved.molten.len(), saved.velocities.len(), saved.densities.len(), saved.pressures.len()];
+        if lengths.iter().any(|&length| length != count) {
+            return Err(format!("flow: it is of {} particles; the case has {count}", saved.molten.len()));
+        }
+        Ok(Self {
+            molten: saved.molten,
+            velocities: saved.velocities.into_iter().map(Vector3::from).collect(),
+            densities: saved.densities,
+            pressures: saved.pressures,
+            particle_mass: saved.particle_mass,
+            cost: saved.cost,
+        })
+    }
+}

@@ -1,0 +1,93 @@
+//! Heat and flow together, through the program's library: a pool that nothing drives, and pools that Marangoni's stress drives
+//! outwards or inwards.
+
+use nalgebra::Vector3;
+use std::path::Path;
+use welder::case::load;
+use welder::model::Model;
+use welder::physics::Column;
+use welder::run::Simulation;
+
+/// A spot that melts a pool into a small block, with the given list of physics and change of tension with temperature.
+fn spot(physics: &str, slope: &str) -> Simulation {
+    let folder = tempfile::tempdir().unwrap();
+    let materials = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/materials/aluminium-model.ron");
+    let metal = std::fs::read_to_string(Path::new(materials)).unwrap().replace("-3.5e-4", slope);
+    std::fs::write(folder.path().join("metal.ron"), metal).unwrap();
+    let scene = format!(
+        "(part: (low_corner_m: (-0.6e-3, -0.6e-3), size_m: (1.2e-3, 1.2e-3, 0.5e-3), material: \"metal.ron\", \
+         start_k: 600.0), laser: (beam: Gaussian(radius_1e2_m: 0.35e-3), absorption: Surface(absorptivity: 0.4), \
+         path: Spot(position_m: (0.0, 0.0), pulse: Constant(start_s: 0.0, duration_s: 1.2e-3, power_w: 500.0))), \
+         resolution: (spacing_m: 50e-6, levels: Uniform), physics: {physics}, time: (end_s: 1.2e-3))"
+    );
+    let path = folder.path().join("scene.ron");
+    std::fs::write(&path, scene).unwrap();
+    Simulation::new(Model::from_case(&load(&path, &[]).unwrap()).unwrap()).unwrap()
+}
+
+fn finished(physics: &str, slope: &str) -> Simulation {
+    let mut simulation = spot(physics, slope);
+    simulation.run_quietly().unwrap();
+    simulation
+}
+
+const FLOW: &str = "[Heat(), Flow(viscosity_factor: 20.0)]";
+
+/// Mean outward speed \[m/s\] of the melt's upper layer between a third and two thirds of the pool's radius.
+fn outward(simulation: &Simulation) -> f64 {
+    let columns = simulation.columns();
+    let Some((_, Column::Vector(velocities))) = columns.iter().find(|(name, _)| *name == "velocity_m_s")
+    else {
+        panic!("no velocities")
+    };
+    let radius = 0.5 * simulation.records().now.liquidus.width;
+    let positions = &simulation.particles().position;
+    let upper = |&i: &usize| {
+        let share = positions[i].xy().norm() / radius;
+        positions[i].z > -60e-6 && share > 0.33 && share < 0.67
+    };
+    let chosen: Vec<usize> = (0..positions.len()).filter(upper).collect();
+    let along = |&i: &usize| velocities[i].xy().dot(&positions[i].xy().normalize());
+    chosen.iter().map(along).sum::<f64>() / chosen.len() as f64
+}
+
+#[test]
+fn a_pool_that_nothing_drives_rests_and_has_the_size_of_conduction() {
+    let (still, conducted) = (finished(FLOW, "0.0"), finished("[Heat(weights: Normalized)]", "0.0"));
+    let unit = (0.9_f64 / (2500.0 * 0.35e-3)).sqrt();
+    let speed = still.records().largest_speed / unit;
+    println!("still pool: largest speed {speed:.1e} of the capillary speed");
+    assert!(speed < 0.02, "{speed}");
+    let (with, without) = (&still.records().liquidus, &conducted.records().liquidus);
+    println!(
+        "still pool: width {:.4}, depth {:.4} of conduction alone",
+        with.width / without.width,
+        with.depth / without.depth
+    );
+    assert!((with.width / without.width - 1.0).abs() < 0.03, "{} {}", with.width, without.width);
+    assert!((with.depth / without.depth - 1.0).abs() < 0.05, "{} {}", with.depth, without.depth);
+}
+
+#[test]
+fn marangoni_flow_goes_where_tension_grows_and_closes_the_ledger() {
+    let (out, inwards) = (finished(FLOW, "-3.5e-4"), finished(FLOW, "3.5e-4"));
+    let (outward_speed, inward_speed) = (outward(&out), outward(&inwards));
+    println!(
+        "driven pools: mean radial speed of the upper layer {outward_speed:.3} and {inward_speed:.3} m/s"
+    );
+    assert!(outward_speed > 0.02 && inward_speed < -0.02, "{outward_speed} {inward_speed}");
+    for driven in [&out, &inwards] {
+        let ledger = driven.ledger();
+        assert_eq!(ledger.fault(), None);
+        assert!(ledger.residual.abs() < 1e-12, "{}", ledger.residual);
+        let inside = |x: &Vector3<f64>| x.z < 100e-6 && x.xy().amax() < 0.7e-3;
+        assert!(driven.particles().position.iter().all(inside), "nothing is thrown out");
+    }
+    let shape = |simulation: &Simulation| {
+        let pool = &simulation.records().liquidus;
+        pool.depth / pool.width
+    };
+    let (wide, deep) = (shape(&out), shape(&inwards));
+    println!("driven pools: depth over width {wide:.3} outwards, {deep:.3} inwards");
+    assert!(deep > 1.1 * wide, "{wide} {deep}");
+}
