@@ -138,6 +138,12 @@ impl<const D: usize> FluidSweep<D> {
         })
     }
 
+    /// Kernel of all particles.
+    #[must_use]
+    pub fn kernel(&self) -> &ScaledKernel<D> {
+        &self.controls.kernel
+    }
+
     /// The free surface at the last evaluation, where the controls have one.
     #[must_use]
     pub fn surface(&self) -> Option<&SurfaceBand<D>> {

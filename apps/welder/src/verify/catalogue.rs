@@ -4,10 +4,10 @@ use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
-use super::melt::{drops, layers};
+use super::melt::{channels, drops, layers};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 21] = [
+static BENCHMARKS: [Benchmark; 23] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -18,6 +18,8 @@ static BENCHMARKS: [Benchmark; 21] = [
     stefan::BENCHMARK,
     mushy_stefan::BENCHMARK,
     moving_gaussian::BENCHMARK,
+    channels::POISEUILLE,
+    channels::COUETTE,
     drops::AT_REST,
     drops::BALL,
     drops::SWINGING,

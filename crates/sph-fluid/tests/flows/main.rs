@@ -1,6 +1,6 @@
 //! Flows that the stand-alone sweep must reproduce.
 
-mod channel;
 mod closed;
-mod series;
+#[path = "../surface/patch.rs"]
+mod patch;
 mod start_up;
