@@ -1,5 +1,6 @@
 //! Fluid that is stepped by itself: columns, periodic copies, walls, and kick-drift-kick.
 
+use crate::benchmarks::largest;
 use crate::error::{Error, require};
 use crate::sweep::{FluidControls, FluidFields, FluidSweep};
 use nalgebra::SVector;
@@ -205,10 +206,10 @@ impl<const D: usize> FluidPatch<D> {
         (0..self.fluid).map(colour).collect()
     }
 
-    /// Largest speed of the fluid \[m/s\].
+    /// Largest speed of the fluid \[m/s\]; no number where a velocity is none.
     #[must_use]
     pub fn largest_speed(&self) -> f64 {
-        self.velocities().iter().map(SVector::norm).fold(0.0, f64::max)
+        largest(self.velocities().iter().map(SVector::norm))
     }
 
     /// One kick-drift-kick step \[s\].

@@ -4,10 +4,10 @@ use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
-use super::melt::{channels, drops, layers};
+use super::melt::{channels, drops, layers, vortices, waters};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 23] = [
+static BENCHMARKS: [Benchmark; 27] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -20,6 +20,10 @@ static BENCHMARKS: [Benchmark; 23] = [
     moving_gaussian::BENCHMARK,
     channels::POISEUILLE,
     channels::COUETTE,
+    waters::TANK,
+    waters::STANDING_WAVE,
+    waters::DAM_BREAK,
+    vortices::TAYLOR_GREEN,
     drops::AT_REST,
     drops::BALL,
     drops::SWINGING,

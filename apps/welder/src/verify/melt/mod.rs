@@ -3,6 +3,8 @@
 pub(super) mod channels;
 pub(super) mod drops;
 pub(super) mod layers;
+pub(super) mod vortices;
+pub(super) mod waters;
 
 use super::Outcome;
 use nalgebra::SVector;
