@@ -71,7 +71,7 @@ fn still_water(
 
 /// The wave, `rows` rows deep, from a level surface with the velocities of its mode: period between crossings of zero of the
 /// velocity's projection on the mode, decay between the peaks after the first crossing and before the last.
-/// [`Friction::Strain`] is right; [`Friction::Shear`] shows half of the decay.
+/// [`Friction::Strain`] is right; [`Friction::Shear`] takes half of the energy in potential flow.
 ///
 /// # Errors
 /// [`Error`] of the sweep.

@@ -41,8 +41,9 @@ pub fn viscous_acceleration<const D: usize>(
 ///
 /// Arguments as in [`viscous_acceleration`]. It takes the energy of strain, 2 eta e:e, and none from a rotation; the form of
 /// Morris takes eta grad v:grad v. Both are nu laplace v inside, but at a free surface only this one means a surface
-/// without traction (Colagrossi, Antuono, Souto-Iglesias and Le Touze 2011): a standing wave decays at half of its rate with
-/// Morris'. It feels the directions of a lattice, by 7 % where h = 1.5 spacings, so that layers along walls keep Morris'.
+/// without traction (Colagrossi, Antuono, Souto-Iglesias and Le Touze 2011): in potential flow, whose e is grad v, Morris'
+/// takes half, and a wave decays too slowly. It feels the directions of a lattice, by 7 % of the decay of a wave where
+/// h = 1.5 spacings (trial of this project), so that layers along walls keep Morris'.
 #[inline]
 #[must_use]
 pub fn strain_acceleration<const D: usize>(
