@@ -2,12 +2,11 @@
 //!
 //! `cargo run --release -p sph-fluid --example channel -- 50` takes 50 particles across (25 without an argument).
 
-#[path = "../tests/flows/channel.rs"]
-mod channel;
-#[path = "../tests/flows/series.rs"]
-mod series;
+#[path = "../tests/surface/patch.rs"]
+mod patch;
 
-use series::{TIMES, couette_errors, poiseuille_errors};
+use patch::find;
+use sph_fluid::benchmarks::channel::{TIMES, couette_errors, poiseuille_errors};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let across: usize = std::env::args().nth(1).map_or(Ok(25), |text| text.parse())?;
@@ -15,7 +14,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Err("a channel needs 8 particles across, so that its walls do not see each other".into());
     }
     println!("{across} across; time [s], largest error of Poiseuille and Couette flow [% of 1.25e-5 m/s]");
-    let (driven, dragged) = (poiseuille_errors(across), couette_errors(across));
+    let (driven, _) = poiseuille_errors(across, find)?;
+    let (dragged, _) = couette_errors(across, find)?;
     for (k, time) in TIMES.into_iter().enumerate() {
         println!("{time:7.4} {:8.3} {:8.3}", 100.0 * driven[k], 100.0 * dragged[k]);
     }

@@ -1,8 +1,11 @@
-//! Fluid that is stepped by itself: columns, periodic copies along x, walls, and kick-drift-kick.
+//! Fluid that is stepped by itself: columns, periodic copies, walls, and kick-drift-kick.
 
+use crate::benchmarks::largest;
 use crate::error::{Error, require};
 use crate::sweep::{FluidControls, FluidFields, FluidSweep};
 use nalgebra::SVector;
+use sph_kernel::RowBuffer;
+use sph_kernel::operators::summation;
 
 /// Share of the spacing that two particles may close in by before the list is made anew.
 const SKIN: f64 = 0.4;
@@ -24,8 +27,8 @@ pub struct PatchStart<const D: usize> {
     pub wall_velocities: Vec<SVector<f64, D>>,
     /// Edge of a cell \[m\].
     pub spacing: f64,
-    /// Period along x \[m\]; `None` where the patch does not repeat.
-    pub period: Option<f64>,
+    /// Period along each axis \[m\]; `None` where the patch does not repeat.
+    pub periods: [Option<f64>; D],
     /// Pressure of the fluid at a place \[Pa\]: the density follows from it.
     pub pressure: fn(&SVector<f64, D>) -> f64,
     /// Temperature at a place \[K\], which the fluid moves through.
@@ -42,7 +45,7 @@ impl<const D: usize> PatchStart<D> {
             walls: Vec::new(),
             wall_velocities: Vec::new(),
             spacing,
-            period: None,
+            periods: [None; D],
             pressure: |_| 0.0,
             temperature: |_| 0.0,
         }
@@ -64,7 +67,7 @@ pub struct FluidPatch<const D: usize> {
     masses: Vec<f64>,
     temperatures: Vec<f64>,
     copies: Vec<u32>,
-    shifts: Vec<f64>,
+    shifts: Vec<SVector<f64, D>>,
     accelerations: Vec<SVector<f64, D>>,
     list: (Vec<usize>, Vec<u32>),
     /// Positions of the fluid when the list was made.
@@ -88,8 +91,9 @@ impl<const D: usize> FluidPatch<D> {
         find: FindNeighbors<D>,
     ) -> Result<Self, Error> {
         require(start.spacing > 0.0, "spacing", start.spacing, "a positive length in metres")?;
-        let period = start.period.unwrap_or(1.0);
-        require(period > 0.0, "period", period, "a positive length in metres")?;
+        for period in start.periods.into_iter().flatten() {
+            require(period > 0.0, "period", period, "a positive length in metres")?;
+        }
         assert_eq!(start.positions.len(), start.volumes.len(), "volumes");
         assert_eq!(start.walls.len(), start.wall_velocities.len(), "velocities of walls");
         let densities: Vec<f64> = start
@@ -189,10 +193,23 @@ impl<const D: usize> FluidPatch<D> {
         self.masses().iter().zip(self.densities()).map(|(mass, density)| mass / density).sum()
     }
 
-    /// Largest speed of the fluid \[m/s\].
+    /// sum m W over the density without pressure, of each particle of fluid \[-\]: one in an even body, less where there is a void
+    /// or a surface, more where particles clump.
+    #[must_use]
+    pub fn colours(&self) -> Vec<f64> {
+        let (kernel, mut buffer) = (self.sweep.kernel(), RowBuffer::default());
+        let colour = |i: usize| {
+            let neighbors = &self.list.1[self.list.0[i]..self.list.0[i + 1]];
+            let row = buffer.fill(i, neighbors, &self.positions, kernel);
+            summation(&row, &self.masses, kernel.value(0.0)) / self.reference_density
+        };
+        (0..self.fluid).map(colour).collect()
+    }
+
+    /// Largest speed of the fluid \[m/s\]; no number where a velocity is none.
     #[must_use]
     pub fn largest_speed(&self) -> f64 {
-        self.velocities().iter().map(SVector::norm).fold(0.0, f64::max)
+        largest(self.velocities().iter().map(SVector::norm))
     }
 
     /// One kick-drift-kick step \[s\].
@@ -267,26 +284,40 @@ impl<const D: usize> FluidPatch<D> {
         self.listed.extend_from_slice(&self.positions[..self.fluid]);
     }
 
-    /// Puts the fluid into its period, and finds who is seen across its ends until the list is made anew.
+    /// Puts the fluid into its periods, and finds who is seen across their ends until the list is made anew.
     fn find_copies(&mut self) {
         self.copies.clear();
         self.shifts.clear();
-        let Some(period) = self.start.period else { return };
-        let margin = self.reach + SKIN * self.start.spacing;
-        for i in 0..self.fluid {
-            let x = self.positions[i][0].rem_euclid(period);
-            self.positions[i][0] = x;
-            for shift in [(x < margin).then_some(period), (x > period - margin).then_some(-period)] {
-                self.copies.extend(shift.map(|_| i as u32));
-                self.shifts.extend(shift);
+        // What walls see counts as well: fluid sees a wall at a support's distance, which sees as far again.
+        let walls = if self.start.walls.is_empty() { 0.0 } else { self.reach };
+        let margin = self.reach + walls + SKIN * self.start.spacing;
+        for axis in 0..D {
+            let Some(period) = self.start.periods[axis] else { continue };
+            for position in &mut self.positions {
+                position[axis] = position[axis].rem_euclid(period);
+            }
+            // Copies along the axes before have copies too: the corners.
+            let found = self.copies.len();
+            for k in 0..self.fluid + found {
+                let (source, moved) = match k.checked_sub(self.fluid) {
+                    Some(copy) => (self.copies[copy], self.shifts[copy]),
+                    None => (k as u32, SVector::zeros()),
+                };
+                let x = self.positions[source as usize][axis];
+                for shift in [(x < margin).then_some(period), (x > period - margin).then_some(-period)] {
+                    let Some(shift) = shift else { continue };
+                    let mut moved = moved;
+                    moved[axis] += shift;
+                    self.copies.push(source);
+                    self.shifts.push(moved);
+                }
             }
         }
     }
 
     fn move_copies(&mut self) {
         for (k, &source) in self.copies.iter().enumerate() {
-            self.positions[self.fluid + k] = self.positions[source as usize];
-            self.positions[self.fluid + k][0] += self.shifts[k];
+            self.positions[self.fluid + k] = self.positions[source as usize] + self.shifts[k];
             self.velocities[self.fluid + k] = self.velocities[source as usize];
         }
     }

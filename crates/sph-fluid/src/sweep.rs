@@ -2,10 +2,10 @@
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Renewal, SurfaceBand, SurfaceTension, Tait, artificial_acceleration, conjugate_colour_gradient,
-    conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate, leading_part,
-    marangoni_force, tension_force, viscous_acceleration, volume_pressure_acceleration, wall_state,
-    wall_velocity,
+    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, artificial_acceleration,
+    conjugate_colour_gradient, conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion,
+    density_rate, leading_part, marangoni_force, strain_acceleration, tension_force, viscous_acceleration,
+    volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
@@ -21,6 +21,8 @@ pub struct FluidControls<const D: usize> {
     pub state: Tait,
     /// Dynamic viscosity eta \[Pa s\].
     pub dynamic_viscosity: f64,
+    /// How viscosity acts between particles.
+    pub friction: Friction,
     /// Artificial viscosity alpha \[-\]; 0 is none.
     pub artificial_viscosity: f64,
     /// Density diffusion delta \[-\]; 0.02 to 0.1, 0 is none.
@@ -43,6 +45,7 @@ impl<const D: usize> FluidControls<D> {
             kernel,
             state,
             dynamic_viscosity: 0.0,
+            friction: Friction::default(),
             artificial_viscosity: 0.0,
             density_diffusion: 0.0,
             body_acceleration: SVector::zeros(),
@@ -136,6 +139,12 @@ impl<const D: usize> FluidSweep<D> {
             shifts: Vec::new(),
             corrections: Vec::new(),
         })
+    }
+
+    /// Kernel of all particles.
+    #[must_use]
+    pub fn kernel(&self) -> &ScaledKernel<D> {
+        &self.controls.kernel
     }
 
     /// The free surface at the last evaluation, where the controls have one.
@@ -311,7 +320,11 @@ impl<const D: usize> FluidSweep<D> {
             } else {
                 conjugate_pressure_acceleration(&row, &columns, corrections)
             };
-            *sum += viscous_acceleration(&row, &columns, seen, controls.dynamic_viscosity);
+            let viscosity = controls.dynamic_viscosity;
+            *sum += match controls.friction {
+                Friction::Shear => viscous_acceleration(&row, &columns, seen, viscosity),
+                Friction::Strain => strain_acceleration(&row, &columns, seen, viscosity),
+            };
             if controls.artificial_viscosity > 0.0 {
                 let coefficient = controls.artificial_viscosity;
                 *sum += artificial_acceleration(&row, &columns, &controls.kernel, sound_speed, coefficient);

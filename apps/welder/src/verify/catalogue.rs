@@ -4,11 +4,11 @@ use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
-use super::melt::{drops, layers};
+use super::melt::{channels, drops, layers, vortices, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 41] = [
+static BENCHMARKS: [Benchmark; 47] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -19,6 +19,12 @@ static BENCHMARKS: [Benchmark; 41] = [
     stefan::BENCHMARK,
     mushy_stefan::BENCHMARK,
     moving_gaussian::BENCHMARK,
+    channels::POISEUILLE,
+    channels::COUETTE,
+    waters::TANK,
+    waters::STANDING_WAVE,
+    waters::DAM_BREAK,
+    vortices::TAYLOR_GREEN,
     drops::AT_REST,
     drops::BALL,
     drops::SWINGING,

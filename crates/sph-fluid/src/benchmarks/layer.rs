@@ -1,6 +1,7 @@
 //! Flat layers driven by a surface temperature that rises along x: the open film, the shallow return flow (Birikh 1966), and a
 //! layer between end walls. Density, viscosity, height and slope of temperature are one.
 
+use super::lattice::{Site, WALL_ROWS, lattice};
 use crate::{Error, FindNeighbors, FluidControls, FluidPatch, PatchStart, Renewal, SurfaceTension, Tait};
 use nalgebra::{Matrix2, Vector2};
 use sph_kernel::KernelKind;
@@ -10,8 +11,6 @@ use std::f64::consts::PI;
 pub const SLOPE: f64 = -0.1;
 /// Particles along x of a layer that repeats.
 const COLUMNS: usize = 12;
-/// Rows of particles of a wall: the support of three spacings and one more.
-const WALL_ROWS: i32 = 4;
 /// Length of the closed layer.
 const LENGTH: usize = 6;
 
@@ -29,29 +28,24 @@ fn controls(spacing: f64, sound_speed: f64, renewal: Option<Renewal>) -> Result<
 /// Columns and rows of fluid; a wall below, `beside` columns wider on both sides, which also stands at the ends where
 /// `closed`.
 fn sites(columns: usize, rows: usize, beside: i32, closed: bool) -> PatchStart<2> {
-    let spacing = 1.0 / rows as f64;
-    let site = |column: i32, row: i32| Vector2::new(f64::from(column) + 0.5, f64::from(row) + 0.5) * spacing;
     let (width, height) = (columns as i32, rows as i32);
-    let fluid = (0..height).flat_map(|row| (0..width).map(move |column| site(column, row)));
-    let positions: Vec<_> = fluid.collect();
-    let outside = |column: i32, row: i32| row < 0 || closed && (column < 0 || column >= width);
-    let all = (-WALL_ROWS..height).flat_map(|row| (-beside..width + beside).map(move |column| (column, row)));
-    let walls: Vec<_> = all.filter(|&(column, row)| outside(column, row)).map(|(c, r)| site(c, r)).collect();
-    let volumes = vec![spacing * spacing; positions.len()];
-    let wall_velocities = vec![Vector2::zeros(); walls.len()];
-    PatchStart {
-        walls,
-        wall_velocities,
-        temperature: |position: &Vector2<f64>| position.x,
-        ..PatchStart::free(positions, volumes, spacing)
-    }
+    let start = lattice(1.0 / rows as f64, -beside..width + beside, -WALL_ROWS..height, |column, row| {
+        let inside = (0..width).contains(&column);
+        match row {
+            0.. if inside => Site::Fluid,
+            0.. if !closed => Site::Empty,
+            _ => Site::Wall,
+        }
+    });
+    PatchStart { temperature: |position: &Vector2<f64>| position.x, ..start }
 }
 
 /// A layer that repeats along x, at rest over a wall, its surface open.
 fn layer(rows: usize, renewal: Option<Renewal>, find: FindNeighbors<2>) -> Result<FluidPatch<2>, Error> {
     let start = sites(COLUMNS, rows, 6, false);
-    let period = Some(COLUMNS as f64 * start.spacing);
-    FluidPatch::new(PatchStart { period, ..start.clone() }, controls(start.spacing, 5.0, renewal)?, find)
+    let (spacing, period) = (start.spacing, COLUMNS as f64 * start.spacing);
+    let start = PatchStart { periods: [Some(period), None], ..start };
+    FluidPatch::new(start, controls(spacing, 5.0, renewal)?, find)
 }
 
 fn step(patch: &FluidPatch<2>) -> f64 {

@@ -1,5 +1,16 @@
 //! Flows whose answer is known, for tests, examples and `welder verify`: a scene and what is measured of it, no verdicts.
 
+pub mod channel;
+pub mod dam;
 pub mod drop;
+mod lattice;
 pub mod layer;
 pub mod shapes;
+pub mod tank;
+pub mod vortices;
+pub mod wave;
+
+/// The largest of numbers that are not negative; no number where one of them is none.
+pub(crate) fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(0.0, |largest, value| if largest.is_nan() || value <= largest { largest } else { value })
+}

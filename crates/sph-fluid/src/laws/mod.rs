@@ -24,5 +24,5 @@ pub use step_limits::{
     ACOUSTIC_FACTOR, CAPILLARY_FACTOR, FORCE_FACTOR, VISCOUS_FACTOR, acoustic_step, capillary_step,
     force_step, viscous_step,
 };
-pub use viscosity::viscous_acceleration;
+pub use viscosity::{Friction, strain_acceleration, viscous_acceleration};
 pub use wall::{WallState, wall_state, wall_velocity};

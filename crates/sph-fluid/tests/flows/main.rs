@@ -1,6 +1,8 @@
 //! Flows that the stand-alone sweep must reproduce.
 
-mod channel;
 mod closed;
-mod series;
+mod fast;
+#[path = "../surface/patch.rs"]
+mod patch;
 mod start_up;
+mod still;

@@ -1,9 +1,11 @@
 //! The sweep against the series of start-up, and the series against published values.
 
-use crate::channel::HEIGHT;
-use crate::series::{TIMES, couette, couette_errors, poiseuille, poiseuille_errors};
+use crate::patch::find;
+use sph_fluid::benchmarks::channel::{
+    Channel, HEIGHT, TIMES, couette, couette_errors, poiseuille, poiseuille_errors,
+};
 
-fn largest(errors: [f64; 5]) -> f64 {
+fn largest((errors, _): ([f64; 5], Channel)) -> f64 {
     errors.into_iter().fold(0.0, f64::max)
 }
 
@@ -20,7 +22,8 @@ fn the_series_give_the_published_centre_speeds() {
 #[test]
 fn poiseuille_start_up_converges() {
     // Measured 1.59 % and 0.57 %, both at the last time.
-    let (coarse, fine) = (largest(poiseuille_errors(12)), largest(poiseuille_errors(25)));
+    let (coarse, fine) =
+        (largest(poiseuille_errors(12, find).unwrap()), largest(poiseuille_errors(25, find).unwrap()));
     assert!(coarse < 0.0165 && fine < 0.006, "{coarse} {fine}");
     assert!(coarse / fine > 2.5, "{coarse} {fine}");
 }
@@ -28,7 +31,8 @@ fn poiseuille_start_up_converges() {
 #[test]
 fn couette_start_up_converges() {
     // Measured 0.67 % and 0.21 %, both at the first time, when the front is thin.
-    let (coarse, fine) = (largest(couette_errors(12)), largest(couette_errors(25)));
+    let (coarse, fine) =
+        (largest(couette_errors(12, find).unwrap()), largest(couette_errors(25, find).unwrap()));
     assert!(coarse < 0.007 && fine < 0.0022, "{coarse} {fine}");
     assert!(coarse / fine > 3.0, "{coarse} {fine}");
 }

@@ -50,7 +50,7 @@ fn the_driving_force_is_exact_in_three_dimensions() {
     let positions: Vec<_> = (0..columns * side * rows).map(site).collect();
     let volumes = vec![spacing.powi(3); positions.len()];
     let start = PatchStart {
-        period: Some(columns as f64 * spacing),
+        periods: [Some(columns as f64 * spacing), None, None],
         temperature: |position: &Vector3<f64>| position.x + 3.0 * position.z,
         ..PatchStart::free(positions, volumes, spacing)
     };

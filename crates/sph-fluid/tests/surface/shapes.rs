@@ -46,7 +46,8 @@ fn a_plane_has_its_area_and_no_curvature() {
     let positions: Vec<_> = (0..rows * columns).map(site).collect();
     let areas = vec![spacing * spacing; positions.len()];
     let period = columns as f64 * spacing;
-    let start = PatchStart { period: Some(period), ..PatchStart::free(positions, areas.clone(), spacing) };
+    let start =
+        PatchStart { periods: [Some(period), None], ..PatchStart::free(positions, areas.clone(), spacing) };
     let patch = FluidPatch::new(start, tense(spacing, 15.0).unwrap(), find).unwrap();
     let surface = patch.sweep().surface().unwrap();
     let length: f64 = (0..areas.len()).map(|i| 2.0 * surface.gradients()[i].norm() * areas[i]).sum();

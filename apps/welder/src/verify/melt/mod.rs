@@ -1,7 +1,10 @@
 //! The melt: flows of `sph-fluid` whose answer is known.
 
+pub(super) mod channels;
 pub(super) mod drops;
 pub(super) mod layers;
+pub(super) mod vortices;
+pub(super) mod waters;
 
 use super::Outcome;
 use super::neighbors::find;
