@@ -2,6 +2,7 @@
 
 use crate::error::{Error, check_positions};
 use nalgebra::SVector;
+use rayon::prelude::*;
 
 /// A reordering of particles: new place k holds what was at `order()[k]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,14 +36,13 @@ impl Permutation {
         self.order.iter().map(|&old| column[old as usize].clone()).collect()
     }
 
-    /// A column in the new order, in the storage of another.
+    /// A column in the new order, in the storage of another, on the current rayon pool.
     ///
     /// # Panics
     /// If the column has not as many entries as the permutation.
-    pub fn gather_into<T: Copy>(&self, column: &[T], gathered: &mut Vec<T>) {
+    pub fn gather_into<T: Copy + Send + Sync>(&self, column: &[T], gathered: &mut Vec<T>) {
         assert_eq!(column.len(), self.order.len(), "a column has one entry a particle");
-        gathered.clear();
-        gathered.extend(self.order.iter().map(|&old| column[old as usize]));
+        self.order.par_iter().map(|&old| column[old as usize]).collect_into_vec(gathered);
     }
 
     /// Puts a column into the new order.

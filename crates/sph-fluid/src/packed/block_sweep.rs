@@ -43,16 +43,16 @@ where
             let [within, across, beyond] = rows.parts(k);
             let (copies, walls) = beyond.split_at(beyond.partition_point(|&j| (j as usize) < first_wall));
             let mut sum = Received::default();
-            for indices in quads(within, own) {
+            for_each_quad(within, own, |indices| {
                 let exchange = self.visit(here, indices, &mut sum);
                 give(&exchange, here.volume, indices, rows.first, rates);
-            }
+            });
             for list in [across, copies] {
-                for indices in quads(list, own) {
+                for_each_quad(list, own, |indices| {
                     self.visit(here, indices, &mut sum);
-                }
+                });
             }
-            quads(walls, own).for_each(|indices| self.visit_walls(here, indices, &mut sum));
+            for_each_quad(walls, own, |indices| self.visit_walls(here, indices, &mut sum));
             let (force, rate) = sum.total();
             rates[k].acceleration = (rates[k].acceleration + force) / here.density + self.body_acceleration;
             rates[k].density_rate += rate;
@@ -108,11 +108,16 @@ impl<const D: usize> Received<D> {
 
 /// A list in pieces of four, the last one filled up with the particle itself, which exchanges nothing with itself.
 #[inline(always)]
-fn quads(list: &[u32], own: usize) -> impl Iterator<Item = [u32; LANES]> {
-    let (whole, rest) = list.as_chunks::<LANES>();
-    let last =
-        (!rest.is_empty()).then(|| std::array::from_fn(|lane| rest.get(lane).copied().unwrap_or(own as u32)));
-    whole.iter().copied().chain(last)
+fn for_each_quad(list: &[u32], own: usize, mut visit: impl FnMut([u32; LANES])) {
+    let mut from = 0;
+    while from < list.len() {
+        let indices = match list[from..].first_chunk() {
+            Some(indices) => *indices,
+            None => std::array::from_fn(|lane| list.get(from + lane).copied().unwrap_or(own as u32)),
+        };
+        visit(indices);
+        from += LANES;
+    }
 }
 
 /// Gives four particles of a block their share of the pairs: the opposite force, and their rate.
