@@ -3,8 +3,8 @@
 use super::block_sweep::BlockSweep;
 use super::terms::Terms;
 use super::{PackedFields, PackedParticle, PackedRates, PackedRows};
-use crate::FluidControls;
 use crate::error::{Error, require};
+use crate::{FluidControls, Friction};
 use nalgebra::SVector;
 use rayon::prelude::*;
 use sph_kernel::{CubicSpline, Gaussian, KernelKind, QuinticSpline, WendlandC2};
@@ -40,6 +40,8 @@ impl<const D: usize> PackedSweep<D> {
         controls.check()?;
         let slow = controls.has_surface() || controls.corrected_gradients;
         require(!slow, "surface_tension, renewal or corrected_gradients", 1.0, "absent in a packed sweep")?;
+        let sheared = controls.friction == Friction::Shear;
+        require(sheared, "friction", 1.0, "Friction::Shear in a packed sweep")?;
         Ok(Self { controls })
     }
 
