@@ -1,7 +1,10 @@
 //! `welder check`: what a case is before it is run.
 
+mod advice;
+mod estimates;
+
 use crate::build::{LevelPlan, Workpiece};
-use crate::case;
+use crate::case::{self, Case};
 use crate::cli::{CheckArguments, ExitStatus, refuse, say};
 use crate::model::{Model, ModelError};
 use crate::observe::Machine;
@@ -32,7 +35,7 @@ pub fn command(arguments: &CheckArguments) -> ExitStatus {
         Ok(case) => case,
         Err(error) => return refuse(&error),
     };
-    let told = Model::from_case(&case).and_then(|model| describe(&model, case.scene.budget.max_particles));
+    let told = Model::from_case(&case).and_then(|model| describe(&case, &model));
     match told {
         Ok(lines) => {
             say(&format!("{}: the case is well formed\n{}", case.name, lines.join("\n")));
@@ -45,7 +48,8 @@ pub fn command(arguments: &CheckArguments) -> ExitStatus {
     }
 }
 
-fn describe(model: &Model, largest: u64) -> Result<Vec<String>, ModelError> {
+fn describe(case: &Case, model: &Model) -> Result<Vec<String>, ModelError> {
+    let largest = case.scene.budget.max_particles;
     let plan = level_plan(model, 0.0)?;
     let particles = plan.count();
     let megabytes = particles as f64 * BYTES_PER_PARTICLE as f64 / 1e6;
@@ -72,6 +76,7 @@ fn describe(model: &Model, largest: u64) -> Result<Vec<String>, ModelError> {
     let named: Vec<String> =
         numbers(model).iter().map(|(name, value)| format!("{name} {value:.3}")).collect();
     lines.push(format!("  numbers        {}", named.join(", ")));
+    lines.extend(advice::advice(case, model));
     Ok(lines)
 }
 

@@ -31,7 +31,7 @@ pub enum Command {
     Verify(VerifyArguments),
     /// Show the cases, materials and benchmarks that come with the program.
     List,
-    /// Run a case at several resolutions and settings: error against cost.
+    /// Run a case at several resolutions and settings: error against cost, observed order, estimated error.
     Precision(PrecisionArguments),
 }
 
@@ -82,6 +82,9 @@ pub struct VerifyArguments {
     /// Write the results to this file as well.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
+    /// Write a page with table and plots for each group of benchmarks into this folder as well.
+    #[arg(long, value_name = "DIR")]
+    pub book: Option<PathBuf>,
 }
 
 /// How much `verify` runs.
@@ -104,6 +107,17 @@ pub struct PrecisionArguments {
     /// Where the plots go [default: out/NAME].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Change a value of the scene, as in resolution.spacing_m=25e-6; can be given several times.
+    #[arg(long = "set", value_name = "path=value")]
+    pub overrides: Vec<String>,
+    /// Name the cheapest run whose error is at most this share, as in 0.01.
+    #[arg(long, value_name = "SHARE", value_parser = share)]
+    pub wanted_error: Option<f64>,
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let refusal = || "accepted: a share above 0 and below 1, as in 0.01 for one per cent".to_string();
+    text.parse().ok().filter(|share: &f64| *share > 0.0 && *share < 1.0).ok_or_else(refusal)
 }
 
 fn positive_seconds(text: &str) -> Result<f64, String> {
@@ -188,7 +202,8 @@ mod tests {
 
     #[test]
     fn verify_takes_names_and_a_level() {
-        let Ok(Command::Verify(verify)) = parse("verify heat/gaussian-spot melt --level full --json x.json")
+        let Ok(Command::Verify(verify)) =
+            parse("verify heat/gaussian-spot melt --level full --json x.json --book pages")
         else {
             panic!("not parsed")
         };
@@ -204,6 +219,8 @@ mod tests {
             "run case --until -1",
             "run case --until nan",
             "verify --level fast",
+            "precision case --wanted-error 0",
+            "precision case --wanted-error 5%",
         ] {
             assert!(parse(line).is_err(), "{line}");
         }

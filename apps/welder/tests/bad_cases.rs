@@ -5,7 +5,8 @@ mod support;
 use std::path::Path;
 use std::process::Command;
 
-use support::{Edit, MATERIAL, Row, SCENE, check, check_path, spoken};
+use support::good::{MATERIAL, SCENE, spoken};
+use support::{Edit, Row, check, check_path, flow, stress};
 use support::{flow_rows, geometry_rows, material_rows, path_rows, scene_rows, stress_rows};
 
 #[track_caller]
@@ -38,7 +39,7 @@ fn each_material_is_refused(rows: &[Row]) {
 
 #[test]
 fn wrong_stress() {
-    let (good, metal) = (stress_rows::scene(), stress_rows::material());
+    let (good, metal) = (stress::scene(), stress::material());
     let (code, message) = check(&good, &metal, &[]);
     assert_eq!(code, Some(0), "{message}");
     for &(from, to, at, words) in stress_rows::SCENES {
@@ -62,7 +63,7 @@ fn wrong_stress() {
 
 #[test]
 fn wrong_flow() {
-    let (scene, metal) = (flow_rows::scene(), flow_rows::material());
+    let (scene, metal) = (flow::scene(), flow::material());
     for &(from, to, at, words) in flow_rows::FLOWS {
         let edit = Edit { from, to, at };
         let scene = edit.apply(&scene);

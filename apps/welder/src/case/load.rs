@@ -14,7 +14,7 @@ use super::{library, set, validate};
 /// A case that was read and checked.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Short name: that of its folder, or of its file when that is not a scene.ron or case.ron.
+    /// Short name: that of its folder, or of its file when that is not a scene.ron or case.ron; never a path.
     pub name: String,
     /// The folder of the scene file.
     pub folder: PathBuf,
@@ -124,11 +124,12 @@ fn missing(path: &Path, reason: &str) -> Problem {
 fn name_of(path: &Path) -> String {
     let text = |part: Option<&std::ffi::OsStr>| part.map(|name| name.to_string_lossy().into_owned());
     let stem = text(path.file_stem()).unwrap_or_default();
-    if stem != "scene" && stem != "case" {
-        return stem;
+    if stem == "scene" || stem == "case" {
+        let absolute = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+        return text(absolute.parent().and_then(Path::file_name)).unwrap_or(stem);
     }
-    let absolute = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
-    text(absolute.parent().and_then(Path::file_name)).unwrap_or(stem)
+    // The name is a folder below `out`: that of a file `...ron` would be the folder above.
+    if Path::new(&stem).file_name().is_none() { "case".into() } else { stem }
 }
 
 #[cfg(test)]
@@ -146,6 +147,15 @@ mod tests {
         assert_eq!(by_folder.scene, by_file.scene);
         assert_eq!(by_folder.name, "spot-aluminium");
         assert_eq!(by_folder.materials[0].name, "aluminium-model");
+    }
+
+    #[test]
+    fn no_name_leads_out_of_the_folder_of_results() {
+        for (file, name) in [("...ron", "case"), ("..ron", "case"), (".ron", ".ron"), ("a..ron", "a.")] {
+            let found = name_of(Path::new(file));
+            assert_eq!(found, name, "{file}");
+            assert_eq!(Path::new("out").join(&found).parent(), Some(Path::new("out")), "{file}");
+        }
     }
 
     #[test]

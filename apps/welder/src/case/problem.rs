@@ -38,6 +38,9 @@ impl Problem {
     }
 }
 
+/// Findings that are told in full; a file can hold thousands.
+const MOST_TOLD: usize = 50;
+
 /// Why a case cannot be run: all that was found wrong.
 #[derive(Debug, Clone)]
 pub struct CaseError {
@@ -49,9 +52,8 @@ impl std::error::Error for CaseError {}
 
 impl fmt::Display for CaseError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.problems
-            .iter()
-            .try_for_each(|problem| writeln!(formatter, "{problem}\n  help: {}", problem.remedy))
+        self.told().try_for_each(|problem| writeln!(formatter, "{problem}\n  help: {}", problem.remedy))?;
+        self.untold().map_or(Ok(()), |untold| writeln!(formatter, "{untold}"))
     }
 }
 
@@ -68,13 +70,24 @@ impl CaseError {
         // Places must stay in one piece for people and programs that search for them.
         let handler = GraphicalReportHandler::new_themed(theme).with_width(100).with_wrap_lines(false);
         let mut report = String::new();
-        for problem in &self.problems {
+        for problem in self.told() {
             if handler.render_report(&mut report, problem).is_err() {
                 report.push_str(&problem.to_string());
             }
             report.push('\n');
         }
+        report.extend(self.untold().map(|untold| untold + "\n"));
         report
+    }
+
+    fn told(&self) -> impl Iterator<Item = &Problem> {
+        self.problems.iter().take(MOST_TOLD)
+    }
+
+    /// Says how many findings are not told.
+    fn untold(&self) -> Option<String> {
+        let more = self.problems.len().checked_sub(MOST_TOLD).filter(|&more| more > 0)?;
+        Some(format!("and {more} findings more"))
     }
 }
 
@@ -89,5 +102,15 @@ mod tests {
         let report = CaseError::from(problem).report(false);
         assert!(report.contains(&place), "{report}");
         assert!(report.contains("above 1 K"), "{report}");
+    }
+
+    #[test]
+    fn thousands_of_findings_are_counted_not_told() {
+        let problem = Problem::without_text("scene.ron:1:1", "too cold".into(), "above 1 K".into());
+        let error = CaseError { problems: vec![problem; 3000] };
+        for text in [error.report(false), error.to_string()] {
+            assert!(text.contains("and 2950 findings more"), "{text}");
+            assert_eq!(text.matches("too cold").count(), MOST_TOLD);
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! A RON file that was read, with the places of its values, so that every finding can be pinned to one.
 
+use std::fs::File;
+use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -21,6 +23,10 @@ pub struct Source {
     pub root: Node,
     /// What the command line changed.
     pub overrides: Vec<Override>,
+    /// The text under the name of its file, shared by all findings.
+    excerpt: Arc<NamedSource<String>>,
+    /// Whether excerpts can be shown: no line is too long for them.
+    has_excerpts: bool,
 }
 
 /// A `--set path=value` of the command line.
@@ -32,17 +38,32 @@ pub struct Override {
     pub argument: String,
 }
 
+/// Longest scene or card that is read, in bytes: the tree of places takes up to a hundred times as much memory.
+const LARGEST_FILE_BYTES: u64 = 4 << 20;
+
+/// Longest line of which excerpts are shown, in bytes: they hold the whole line, and miette panics beyond column 65535.
+const LONGEST_LINE_BYTES: usize = 4096;
+
 /// Longest piece of the file that a message repeats.
 const LONGEST_QUOTE: usize = 60;
 
 impl Source {
-    /// Reads a file; refuses what cannot be read, is empty, or is not RON in shape.
+    /// Reads a file; refuses what cannot be read, is too long, is empty, or is not RON in shape.
     pub fn read(path: &Path) -> Result<Source, Problem> {
-        let place = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| {
-            let remedy = "give the path of a readable UTF-8 text file".to_string();
-            Problem::without_text(&place, format!("the file cannot be read: {error}"), remedy)
-        })?;
+        let refuse = |reason: String, remedy: &str| {
+            Problem::without_text(&path.display().to_string(), reason, remedy.to_string())
+        };
+        let mut text = String::new();
+        File::open(path)
+            .and_then(|file| file.take(LARGEST_FILE_BYTES + 1).read_to_string(&mut text))
+            .map_err(|error| {
+                let remedy = "give the path of a readable UTF-8 text file";
+                refuse(format!("the file cannot be read: {error}"), remedy)
+            })?;
+        if text.len() as u64 > LARGEST_FILE_BYTES {
+            let remedy = format!("accepted: at most {LARGEST_FILE_BYTES} bytes");
+            return Err(refuse("the file is too long for a scene or a material card".into(), &remedy));
+        }
         Source::of_text(path, text)
     }
 
@@ -56,7 +77,10 @@ impl Source {
         }
         let whole = 0..text.len();
         let blank = Node { span: whole.clone(), inside: whole, content: super::scan::Content::Scalar };
-        let mut source = Source { path: path.to_path_buf(), text, root: blank, overrides };
+        let excerpt = Arc::new(NamedSource::new(path.display().to_string(), text.clone()));
+        let has_excerpts = text.lines().all(|line| line.len() <= LONGEST_LINE_BYTES);
+        let mut source =
+            Source { path: path.to_path_buf(), text, root: blank, overrides, excerpt, has_excerpts };
         source.root = scan(&source.text).map_err(|error| source.shape_problem(&error))?;
         Ok(source)
     }
@@ -117,8 +141,8 @@ impl Source {
             place: format!("{name}:{line}:{column}"),
             message,
             remedy,
-            text: Arc::new(NamedSource::new(name, self.text.clone())),
-            span: Some(span.into()),
+            text: Arc::clone(&self.excerpt),
+            span: self.has_excerpts.then(|| span.into()),
         }
     }
 
@@ -152,6 +176,7 @@ pub fn offset_of(text: &str, line: usize, column: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use super::super::problem::CaseError;
     use super::*;
 
     fn source(text: &str) -> Source {
@@ -190,6 +215,15 @@ mod tests {
         assert!(source.problem("a.b", "bad", "").message.contains("--set a.b=1"));
         assert!(source.problem("a", "bad", "").message.contains("--set a.b=1"));
         assert!(!source.problem("a.bc", "bad", "").message.contains("--set"));
+    }
+
+    #[test]
+    fn a_line_beyond_all_terminals_has_no_excerpt() {
+        let text = format!("(a: ({}), start_k: 20)", "1,".repeat(40_000));
+        let problem = source(&text).problem("start_k", "too cold", "above 50");
+        assert!(problem.place.ends_with(":1:80018"), "{}", problem.place);
+        let report = CaseError::from(problem).report(false);
+        assert!(report.contains("found `20`: too cold") && report.len() < 1000, "{report}");
     }
 
     #[test]

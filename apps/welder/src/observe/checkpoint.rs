@@ -102,8 +102,7 @@ impl CheckpointFolder {
 }
 
 fn read(path: &Path, version: &str, case_digest: u32) -> Result<Checkpoint, CheckpointError> {
-    let bytes = fs::read(path).map_err(file_error("read", path))?;
-    let checkpoint = Checkpoint::from_bytes(&bytes, path)?;
+    let checkpoint = Checkpoint::read(path)?;
     if checkpoint.version != version {
         let (found, expected) = (checkpoint.version, version.to_string());
         return Err(CheckpointError::OtherVersion { path: path.to_path_buf(), found, expected });

@@ -1,6 +1,6 @@
 //! What can be wrong with a checkpoint; every message names the file and the reason.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Why a checkpoint could not be written or used.
 #[derive(Debug, thiserror::Error)]
@@ -61,4 +61,17 @@ pub enum CheckpointError {
         /// What is wrong with it.
         reason: String,
     },
+}
+
+impl CheckpointError {
+    /// The same error of a checkpoint that was read from `path`: content that cannot be used is damage of that file.
+    pub fn in_file(self, path: &Path) -> Self {
+        match self {
+            CheckpointError::Content { name, reason } => CheckpointError::Damaged {
+                path: path.to_path_buf(),
+                reason: format!("no usable `{name}`, {reason}"),
+            },
+            other => other,
+        }
+    }
 }

@@ -8,6 +8,8 @@
 
 use super::checkpoint_error::CheckpointError;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 const MAGIC: &[u8; 8] = b"LIQUIDUS";
@@ -70,21 +72,23 @@ impl Checkpoint {
         Ok(bytes)
     }
 
+    /// Reads a file. Nothing is read behind a header that does not fit the length of the file.
+    pub fn read(path: &Path) -> Result<Self, CheckpointError> {
+        let refused = |source| CheckpointError::File { action: "read", path: path.to_path_buf(), source };
+        let mut file = File::open(path).map_err(refused)?;
+        let length = file.metadata().map_err(refused)?.len();
+        let mut bytes = Vec::new();
+        file.by_ref().take(HEADER_BYTES as u64).read_to_end(&mut bytes).map_err(refused)?;
+        check_header(&bytes, length, path)?;
+        file.read_to_end(&mut bytes).map_err(refused)?;
+        Self::from_bytes(&bytes, path)
+    }
+
     /// Reads the bytes of a file; `path` is for the messages.
     pub fn from_bytes(bytes: &[u8], path: &Path) -> Result<Self, CheckpointError> {
         let damaged = |reason: String| CheckpointError::Damaged { path: path.to_path_buf(), reason };
-        let Some((header, rest)) = bytes.split_first_chunk::<HEADER_BYTES>() else {
-            return Err(damaged(format!("truncated to {} bytes", bytes.len())));
-        };
-        if !header.starts_with(MAGIC) {
-            return Err(damaged("it does not start as a checkpoint does".to_string()));
-        }
-        let format = little_endian(&header[8..12]) as u32;
-        let expected = little_endian(&header[12..20]);
-        let found = rest.len() as u64;
-        if expected.checked_add(CHECKSUM_BYTES as u64) != Some(found) {
-            return Err(damaged(format!("truncated or overlong, {found} bytes where {expected} + 4 belong")));
-        }
+        let format = check_header(bytes, bytes.len() as u64, path)?;
+        let rest = &bytes[HEADER_BYTES..];
         let (payload, checksum) = rest.split_at(rest.len() - CHECKSUM_BYTES);
         if crc32fast::hash(&bytes[..HEADER_BYTES + payload.len()]) as u64 != little_endian(checksum) {
             return Err(damaged("the checksum does not match".to_string()));
@@ -99,6 +103,23 @@ impl Checkpoint {
         postcard::from_bytes(payload)
             .map_err(|error| damaged(format!("the content cannot be decoded, {error}")))
     }
+}
+
+/// The format that a header names, when it is one of a file of `length` bytes.
+fn check_header(bytes: &[u8], length: u64, path: &Path) -> Result<u32, CheckpointError> {
+    let damaged = |reason: String| CheckpointError::Damaged { path: path.to_path_buf(), reason };
+    let Some(header) = bytes.first_chunk::<HEADER_BYTES>() else {
+        return Err(damaged(format!("truncated to {} bytes", bytes.len())));
+    };
+    if !header.starts_with(MAGIC) {
+        return Err(damaged("it does not start as a checkpoint does".to_string()));
+    }
+    let expected = little_endian(&header[12..20]);
+    let found = length - HEADER_BYTES as u64;
+    if expected.checked_add(CHECKSUM_BYTES as u64) != Some(found) {
+        return Err(damaged(format!("truncated or overlong, {found} bytes where {expected} + 4 belong")));
+    }
+    Ok(little_endian(&header[8..12]) as u32)
 }
 
 /// A digest of the resolved case, to tell cases apart.

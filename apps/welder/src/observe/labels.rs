@@ -34,10 +34,17 @@ pub(super) fn text_width(text: &str, size: i32) -> Result<u32, DrawError> {
     Ok((FONT, size).into_font().box_size(text)?.0)
 }
 
+/// Length of a line in a key, and the gap between it and its name \[pixels\].
+const SAMPLE: i32 = 26;
+const GAP: i32 = 9;
+
+/// How wide an entry of a key will be, with the gap to the next, in pixels.
+pub(super) fn key_width(entry: &KeyEntry) -> Result<u32, DrawError> {
+    Ok((SAMPLE + 4 * GAP) as u32 + text_width(&entry.name, SMALL)?)
+}
+
 /// Draws a key in a row that starts at a place.
 pub(super) fn draw_key(canvas: &mut Canvas, entries: &[KeyEntry], at: (i32, i32)) -> Result<(), DrawError> {
-    const SAMPLE: i32 = 26;
-    const GAP: i32 = 9;
     let mut x = at.0;
     for entry in entries {
         // Text sits high in its line.
@@ -47,7 +54,7 @@ pub(super) fn draw_key(canvas: &mut Canvas, entries: &[KeyEntry], at: (i32, i32)
             canvas.line((from, middle), (to, middle), width, colour);
         }
         canvas.draw(|area| write_text(area, &entry.name, (x + SAMPLE + GAP, at.1), SMALL))?;
-        x += SAMPLE + 4 * GAP + text_width(&entry.name, SMALL)? as i32;
+        x += key_width(entry)? as i32;
     }
     Ok(())
 }

@@ -1,8 +1,8 @@
-//! Draws error against cost, both on logarithmic axes: one line a setting, one point a resolution.
+//! Draws error against cost or resolution, both on logarithmic axes: one line a setting or entry, one point a run.
 
 use super::ObserveError;
 use super::canvas::{Area, Canvas, DrawError, FONT};
-use super::labels::{KeyEntry, LARGE, MEDIUM, SMALL, draw_key, write_text};
+use super::labels::{KeyEntry, LARGE, MEDIUM, SMALL, draw_key, key_width, write_text};
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::coord::combinators::IntoLogRange;
 use plotters::style::{BLACK, Color, RGBColor, WHITE};
@@ -38,7 +38,7 @@ const COLOURS: [RGBColor; 14] = [
 pub struct Series {
     /// Its name in the key.
     pub name: String,
-    /// (cost, error), both above zero; others are left out.
+    /// (cost or resolution, error), both above zero; others are left out.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -82,11 +82,28 @@ fn painted(title: &str, labels: (&str, &str), series: &[Series]) -> Result<Canva
         name: line.name.clone(),
         strokes: vec![(LINE, COLOURS[index % COLOURS.len()])],
     };
-    for (row, chunk) in series.chunks(4).enumerate() {
-        let entries: Vec<_> = chunk.iter().enumerate().map(|(k, line)| entry((4 * row + k, line))).collect();
-        draw_key(&mut canvas, &entries, (LEFT as i32, 46 + 24 * row as i32))?;
+    for (row, entries) in key_rows(series.iter().enumerate().map(entry))?.iter().enumerate() {
+        draw_key(&mut canvas, entries, (LEFT as i32, 46 + 24 * row as i32))?;
     }
     Ok(canvas)
+}
+
+/// The entries of the key in rows that the picture has room for.
+fn key_rows(entries: impl Iterator<Item = KeyEntry>) -> Result<Vec<Vec<KeyEntry>>, DrawError> {
+    let mut rows: Vec<Vec<KeyEntry>> = Vec::new();
+    let mut taken = 0;
+    for entry in entries {
+        let width = key_width(&entry)?;
+        match rows.last_mut().filter(|_| LEFT + taken + width <= WIDTH) {
+            Some(row) => row.push(entry),
+            None => {
+                rows.push(vec![entry]);
+                taken = 0;
+            }
+        }
+        taken += width;
+    }
+    Ok(rows)
 }
 
 fn drawable(&(cost, error): &(f64, f64)) -> bool {

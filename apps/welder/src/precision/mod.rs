@@ -1,21 +1,26 @@
 //! `welder precision`: error against cost of a case, over spacings and settings.
 //!
 //! The reference is the case itself at half of its spacing with the tolerance of its steps cut to a fifth; what is listed
-//! is the difference to it in width, depth and peak rise, beside processor time, particles and pair visits. Each
-//! setting changes one thing against the defaults, so that a line tells what that thing is worth.
+//! is the difference to it in the pool's width, depth and length, peak rise and weld volume, beside processor time, particles and pair visits. Each
+//! setting changes one thing against the defaults, so that a line tells what that thing is worth. Over its spacings each
+//! setting is also judged without the reference, by Richardson extrapolation and the grid convergence index.
 
+mod convergence;
+mod estimate;
+mod picture;
+mod quantity;
 mod settings;
 mod table;
 
 use crate::case::{self, Case};
 use crate::cli::{ExitStatus, PrecisionArguments, refuse, say};
 use crate::model::{Model, ModelError};
-use crate::observe::scatter_picture::{Series, draw_scatter};
 use crate::observe::{Machine, ObserveError, process_cpu_s, summary};
 use crate::physics::Failure;
 use crate::run::{Simulation, level_plan};
+use estimate::Estimate;
+use quantity::{Errors, Sizes};
 use serde::Serialize;
-use settings::Setting;
 use std::path::Path;
 
 /// What can stop the ladder.
@@ -33,17 +38,8 @@ enum PrecisionError {
     NoLadder,
 }
 
-/// Sizes that a run found.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-struct Sizes {
-    width_m: f64,
-    depth_m: f64,
-    peak_temperature_k: f64,
-    solidified_at_s: Option<f64>,
-}
-
 /// One run of the ladder.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 struct Point {
     setting: String,
     spacing_m: f64,
@@ -54,9 +50,8 @@ struct Point {
     pair_visits: u64,
     cpu_s: f64,
     setup_cpu_s: f64,
-    width_error: f64,
-    depth_error: f64,
-    peak_error: f64,
+    #[serde(flatten)]
+    errors: Errors,
     #[serde(flatten)]
     sizes: Sizes,
 }
@@ -69,12 +64,15 @@ struct Report<'a> {
     reference: Sizes,
     reference_spacing_m: f64,
     reference_particles: usize,
+    /// Grid convergence index of the reference in each quantity, in the order of the estimates.
+    reference_indices: Vec<f64>,
     points: &'a [Point],
+    estimates: &'a [Estimate],
 }
 
 /// Runs the ladder of the case of `arguments`.
 pub fn command(arguments: &PrecisionArguments) -> ExitStatus {
-    let case = match case::load(&arguments.case, &[]) {
+    let case = match case::load(&arguments.case, &arguments.overrides) {
         Ok(case) => case,
         Err(error) => return refuse(&error),
     };
@@ -88,7 +86,7 @@ pub fn command(arguments: &PrecisionArguments) -> ExitStatus {
         }
     };
     match told {
-        Ok(()) => ExitStatus::Done,
+        Ok(status) => status,
         Err(PrecisionError::NoLadder) => {
             tracing::error!("{}: {}", case.path.display(), PrecisionError::NoLadder);
             ExitStatus::WrongInput
@@ -100,7 +98,7 @@ pub fn command(arguments: &PrecisionArguments) -> ExitStatus {
     }
 }
 
-fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<(), PrecisionError> {
+fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<ExitStatus, PrecisionError> {
     let folder = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(&case.name));
     std::fs::create_dir_all(&folder).map_err(ObserveError::file("create", &folder))?;
     let base = Model::from_case(case)?;
@@ -109,7 +107,8 @@ fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<(), PrecisionEr
         return Err(PrecisionError::NoLadder);
     }
     let fine = settings::reference(&base);
-    let (finest, reference) = run(&fine, "reference")?;
+    let finest = run(&fine, "reference")?;
+    let reference = finest.sizes;
     say(&format!(
         "{}: reference at {:.2} um, {} particles: width {:.2} um, depth {:.2} um, peak {:.1} K ({:.1} s)",
         case.name,
@@ -120,24 +119,24 @@ fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<(), PrecisionEr
         reference.peak_temperature_k,
         finest.cpu_s
     ));
-    let start = (base.start)(base.bounds().0).1;
     let mut points = Vec::new();
     say(&table::head());
     for setting in settings::all() {
         for &spacing in &spacings {
             let Some(model) = setting.apply(&base, spacing) else { continue };
-            let (mut point, sizes) = run(&model, &setting.name)?;
-            let relative = |found: f64, exact: f64| if exact == 0.0 { f64::NAN } else { found / exact - 1.0 };
-            point.width_error = relative(sizes.width_m, reference.width_m);
-            point.depth_error = relative(sizes.depth_m, reference.depth_m);
-            point.peak_error =
-                relative(sizes.peak_temperature_k - start, reference.peak_temperature_k - start);
+            let mut point = run(&model, &setting.name)?;
+            point.errors = Errors::against(&point.sizes, &reference);
             say(&table::row(&point));
             points.push(point);
         }
     }
+    let estimates = estimate::estimates(&points);
+    let indices = estimate::reference_indices((fine.spacing(), &reference), &points, &estimates);
+    say(&table::convergence(&estimates, &indices));
     table::write_csv(&folder.join("precision.csv"), &points)?;
-    draw(&folder, &case.name, &points)?;
+    table::write_convergence(&folder.join("precision_convergence.csv"), &estimates)?;
+    picture::draw(&folder, &case.name, &points)?;
+    picture::draw_convergence(&folder, &case.name, &points, &estimates)?;
     if let Some(path) = &arguments.json {
         let report = Report {
             version: env!("CARGO_PKG_VERSION"),
@@ -146,16 +145,42 @@ fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<(), PrecisionEr
             reference,
             reference_spacing_m: fine.spacing(),
             reference_particles: finest.particles,
+            reference_indices: indices.clone(),
             points: &points,
+            estimates: &estimates,
         };
         summary::write_json(path, &report)?;
     }
     say(&format!("results in {}", folder.display()));
-    Ok(())
+    Ok(arguments.wanted_error.map_or(ExitStatus::Done, |wanted| choose(&points, &indices, wanted)))
+}
+
+/// Says which run is the cheapest that is as exact as wanted; without one the audit has failed.
+fn choose(points: &[Point], indices: &[f64], wanted: f64) -> ExitStatus {
+    let told = |point: &Point| {
+        format!(
+            "`{}` at spacing_m {:e}: {:.2} % in {:.3} s of processor time",
+            point.setting,
+            point.spacing_m,
+            100.0 * estimate::bound(point, indices),
+            point.cpu_s
+        )
+    };
+    match (estimate::cheapest(points, indices, wanted), estimate::most_exact(points, indices)) {
+        (Some(point), _) => {
+            say(&format!("cheapest within the wanted error of {wanted}: {}", told(point)));
+            ExitStatus::Done
+        }
+        (None, best) => {
+            let best = best.map_or_else(|| "nothing ran".into(), told);
+            say(&format!("no run is within the wanted error of {wanted}; the most exact: {best}"));
+            ExitStatus::AuditFailed
+        }
+    }
 }
 
 /// Runs a model and counts what it costs; errors are left at zero.
-fn run(model: &Model, setting: &str) -> Result<(Point, Sizes), PrecisionError> {
+fn run(model: &Model, setting: &str) -> Result<Point, PrecisionError> {
     let clock = || process_cpu_s().unwrap_or(f64::NAN);
     let started = clock();
     let plan = level_plan(model, 0.0)?;
@@ -164,14 +189,18 @@ fn run(model: &Model, setting: &str) -> Result<(Point, Sizes), PrecisionError> {
     simulation.run_quietly()?;
     let ended = clock();
     let (records, cost) = (simulation.records(), simulation.cost());
+    let start = (model.start)(model.bounds().0).1;
     let sizes = Sizes {
         width_m: records.liquidus.width,
         depth_m: records.liquidus.depth,
+        length_m: records.liquidus.length,
         peak_temperature_k: records.peak_temperature,
+        peak_rise_k: records.peak_temperature - start,
+        weld_volume_m3: simulation.gauge().weld_volume(model, simulation.particles()),
         solidified_at_s: records.solidified_at,
     };
     let particles = simulation.particles().len();
-    let point = Point {
+    Ok(Point {
         setting: setting.to_string(),
         spacing_m: model.spacing(),
         particles,
@@ -181,33 +210,7 @@ fn run(model: &Model, setting: &str) -> Result<(Point, Sizes), PrecisionError> {
         pair_visits: cost.pair_visits,
         cpu_s: ended - started,
         setup_cpu_s: built - started,
-        width_error: 0.0,
-        depth_error: 0.0,
-        peak_error: 0.0,
+        errors: Errors::default(),
         sizes,
-    };
-    Ok((point, sizes))
-}
-
-fn draw(folder: &Path, name: &str, points: &[Point]) -> Result<(), ObserveError> {
-    type Of = fn(&Point) -> f64;
-    let errors: [(&str, Of); 3] =
-        [("width", |p| p.width_error), ("depth", |p| p.depth_error), ("peak", |p| p.peak_error)];
-    let costs: [(&str, &str, Of); 2] =
-        [("cpu", "processor time, s", |p| p.cpu_s), ("particles", "particles", |p| p.particles as f64)];
-    for (what, error) in errors {
-        for (stem, label, cost) in costs {
-            let series: Vec<Series> =
-                settings::all().iter().map(|setting| line(setting, points, cost, error)).collect();
-            let title = format!("{name}: error in {what}");
-            let path = folder.join(format!("precision_{what}_{stem}.png"));
-            draw_scatter(&path, &title, (label, "error, %"), &series)?;
-        }
-    }
-    Ok(())
-}
-
-fn line(setting: &Setting, points: &[Point], cost: fn(&Point) -> f64, error: fn(&Point) -> f64) -> Series {
-    let own = points.iter().filter(|point| point.setting == setting.name);
-    Series { name: setting.name.clone(), points: own.map(|p| (cost(p), 100.0 * error(p).abs())).collect() }
+    })
 }

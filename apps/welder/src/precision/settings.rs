@@ -18,6 +18,9 @@ const LARGEST_UNIFORM: i64 = 400_000;
 /// Beams narrower than this many spacings say nothing about a setting.
 const SMALLEST_BEAM: f64 = 2.0;
 
+/// Name of the setting that changes nothing.
+pub(super) const DEFAULT: &str = "default";
+
 /// A named change of the defaults.
 pub(super) struct Setting {
     pub(super) name: String,
@@ -39,7 +42,7 @@ impl Setting {
 pub(super) fn all() -> Vec<Setting> {
     let setting = |name: &str, change: fn(&mut Model)| Setting { name: name.into(), change };
     vec![
-        setting("default", |_| {}),
+        setting(DEFAULT, |_| {}),
         setting("fitted 0.85", |m| weights(m, Weights::Fitted, KernelShape::WendlandC2, 0.85)),
         setting("fitted 1.0", |m| weights(m, Weights::Fitted, KernelShape::WendlandC2, 1.0)),
         setting("fitted cubic 1.0", |m| weights(m, Weights::Fitted, KernelShape::CubicSpline, 1.0)),

@@ -8,8 +8,8 @@ use crate::case::{self, Case, CaseError};
 use crate::cli::{ExitStatus, RunArguments, refuse, say};
 use crate::model::{Model, ModelError};
 use crate::observe::{
-    CheckpointError, CheckpointFolder, FrameWriter, HistoryWriter, ObserveError, Observer, PictureWriter,
-    Precision, Pulse, Schedule, Status, case_digest, dossier, progress::Progress, whole_file,
+    CheckpointError, CheckpointFolder, Found, FrameWriter, HistoryWriter, ObserveError, Observer,
+    PictureWriter, Precision, Pulse, Schedule, Status, case_digest, dossier, progress::Progress, whole_file,
 };
 use crate::physics::Failure;
 use std::path::{Path, PathBuf};
@@ -150,15 +150,17 @@ impl Run {
             let missing = || {
                 format!("{}: there is no checkpoint to resume from; run without --resume\n", folder.display())
             };
-            Some(found.ok_or_else(|| RunError::Case(missing()))?.checkpoint)
+            Some(found.ok_or_else(|| RunError::Case(missing()))?)
         } else {
             checkpoints.clear()?;
             None
         };
-        let grown = found.as_ref().map_or(Ok(grown), Simulation::grown_of)?;
+        let grown = found.as_ref().map_or(Ok(grown), |found| {
+            Simulation::grown_of(&found.checkpoint).map_err(|error| error.in_file(&found.path))
+        })?;
         let mut simulation = build(case, grown)?;
-        if let Some(checkpoint) = &found {
-            simulation.restore(checkpoint)?;
+        if let Some(Found { checkpoint, path, .. }) = &found {
+            simulation.restore(checkpoint).map_err(|error| error.in_file(path))?;
         }
         let case_path = folder.join("case.ron");
         whole_file::replace(&case_path, resolved.as_bytes())

@@ -11,5 +11,6 @@ mod watch;
 pub use command::command;
 pub use ledger::Ledger;
 pub use pilot::level_plan;
+pub(crate) use report::solid_scales;
 pub use report::{numbers, summary};
 pub use simulation::{Records, Simulation, StepReport};

@@ -96,13 +96,20 @@ fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
     numbers.into_iter().map(|(name, value)| (name.to_string(), value)).collect()
 }
 
-/// Dimensionless numbers of heat: fourier and peclet of the beam, stefan of the melting range, and what resolves them.
-pub fn numbers(model: &Model) -> BTreeMap<String, f64> {
-    let mut numbers = BTreeMap::new();
+/// Start temperature \[K\], heat capacity from there to the solidus \[J/(kg K)\] and diffusivity at the start \[m²/s\] of the
+/// part's own material.
+pub(crate) fn solid_scales(model: &Model) -> (f64, f64, f64) {
     let (material, curve) = (&model.materials[0], &model.curves[0]);
     let start = (model.start)(model.bounds().0).1;
     let capacity = (curve.enthalpy_solidus() - curve.enthalpy_at(start)) / (material.solidus - start);
-    let diffusivity = material.conductivity(start) / (material.density * capacity);
+    (start, capacity, material.conductivity(start) / (material.density * capacity))
+}
+
+/// Dimensionless numbers of heat: fourier and peclet of the beam, stefan of the melting range, and what resolves them.
+pub fn numbers(model: &Model) -> BTreeMap<String, f64> {
+    let mut numbers = BTreeMap::new();
+    let material = &model.materials[0];
+    let (start, capacity, diffusivity) = solid_scales(model);
     if capacity.is_finite() && material.latent_heat > 0.0 {
         numbers.insert("stefan".into(), capacity * (material.liquidus - start) / material.latent_heat);
     }

@@ -1,9 +1,9 @@
 //! The command itself: select, run, print, write, judge.
 
 use super::table::table;
-use super::{Benchmark, Entry, Report, select};
-use crate::cli::{ExitStatus, VerifyArguments};
-use crate::observe::{Machine, summary::write_json};
+use super::{Benchmark, Entry, Report, book, select};
+use crate::cli::{ExitStatus, Level, VerifyArguments};
+use crate::observe::{Machine, ObserveError, summary::write_json};
 
 /// Runs `welder verify`.
 pub fn command(arguments: &VerifyArguments) -> ExitStatus {
@@ -25,18 +25,34 @@ pub fn command(arguments: &VerifyArguments) -> ExitStatus {
     println!("{}", table(&entries));
     let missed = entries.iter().filter(|entry| !entry.passed).count();
     println!("{} of {} entries hold their marks", entries.len() - missed, entries.len());
-    if let Some(path) = &arguments.json {
-        let report = Report { version: env!("CARGO_PKG_VERSION").into(), machine: Machine::here(), entries };
-        if let Err(error) = write_json(path, &report) {
-            tracing::error!("{error}");
-            return ExitStatus::WrongInput;
-        }
+    let report = Report { version: env!("CARGO_PKG_VERSION").into(), machine: Machine::here(), entries };
+    if let Err(error) = write(&report, arguments) {
+        tracing::error!("{error}");
+        return ExitStatus::WrongInput;
     }
     match (unanswered, missed) {
         (0, 0) => ExitStatus::Done,
         (0, _) => ExitStatus::AuditFailed,
         _ => ExitStatus::RunFailed,
     }
+}
+
+/// Writes the files that were asked for.
+fn write(report: &Report, arguments: &VerifyArguments) -> Result<(), ObserveError> {
+    if let Some(path) = &arguments.json {
+        write_json(path, report)?;
+    }
+    arguments.book.as_ref().map_or(Ok(()), |folder| book::write(folder, report, &line(arguments)))
+}
+
+/// The command line that gives the same numbers.
+fn line(arguments: &VerifyArguments) -> String {
+    let level = match arguments.level {
+        Level::Quick => "quick",
+        Level::Full => "full",
+    };
+    let names = arguments.names.iter().map(|name| format!(" {name}")).collect::<String>();
+    format!("welder verify{names} --level {level}")
 }
 
 /// The entries of one benchmark; none where it has no answer, which is told.

@@ -5,6 +5,7 @@
 //! Scenes use the program's defaults, as a user's case would.
 
 mod benchmark;
+mod book;
 mod catalogue;
 mod command;
 pub mod exact;

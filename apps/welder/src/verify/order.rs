@@ -3,7 +3,7 @@
 use super::LevelResult;
 
 /// Errors this small are round-off and show no order.
-const ROUND_OFF: f64 = 1e-11;
+pub(super) const ROUND_OFF: f64 = 1e-11;
 
 /// Minus the slope of log(error) over log(resolution), by least squares; none for fewer than two levels or round-off.
 pub fn observed_order(levels: &[LevelResult]) -> Option<f64> {

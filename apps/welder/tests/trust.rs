@@ -1,0 +1,77 @@
+//! What the program says about its own exactness: pages of the book from a run, and advice before one.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
+
+fn welder(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_welder")).args(arguments).output().expect("welder starts")
+}
+
+fn told(arguments: &[&str]) -> String {
+    let output = welder(arguments);
+    let text = [output.stdout, output.stderr].concat();
+    let text = String::from_utf8(text).unwrap();
+    assert!(output.status.success(), "{text}");
+    text
+}
+
+#[test]
+fn the_pages_of_the_book_hold_what_the_run_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let [book, json] = ["validation", "verify.json"].map(|name| folder.path().join(name));
+    let path = |path: &Path| path.to_str().unwrap().to_string();
+    told(&[
+        "verify",
+        "heat/cosine-decay",
+        "solid/gough-joule",
+        "--level",
+        "full",
+        "--book",
+        &path(&book),
+        "--json",
+        &path(&json),
+    ]);
+    let report: serde_json::Value = serde_json::from_slice(&std::fs::read(json).unwrap()).unwrap();
+    let entries = report["entries"].as_array().unwrap();
+    assert_eq!(entries.len(), 3);
+    for entry in entries {
+        let name = entry["name"].as_str().unwrap();
+        let group = name.split('/').next().unwrap();
+        let page = std::fs::read_to_string(book.join(format!("{group}.md"))).unwrap();
+        for level in entry["levels"].as_array().unwrap() {
+            let number = format!(
+                "{}: {:.2e}",
+                level["resolution"].as_f64().unwrap(),
+                level["error"].as_f64().unwrap()
+            );
+            assert!(page.contains(&number), "{name}: {number} is not in:\n{page}");
+        }
+        assert!(page.contains("`welder verify heat/cosine-decay solid/gough-joule --level full`"), "{page}");
+        assert!(book.join(format!("{group}-1.png")).is_file());
+    }
+}
+
+#[test]
+fn a_spot_is_advised() {
+    let text = told(&["check", &format!("{CASES}/spot-aluminium")]);
+    for words in
+        ["matters        latent heat: Stefan", "bottom face: Fourier", "losses: Biot", "open           flow"]
+    {
+        assert!(text.contains(words), "`{words}` is not in:\n{text}");
+    }
+    assert!(!text.contains("movement: Peclet"), "a spot does not move:\n{text}");
+}
+
+#[test]
+fn a_seam_moves_and_a_body_held_yields() {
+    let text = told(&["check", &format!("{CASES}/seam-aluminium")]);
+    assert!(text.contains("matters        movement: Peclet"), "{text}");
+    let text = told(&["check", &format!("{CASES}/stress-spot-aluminium")]);
+    assert!(text.contains("matters        stress: E alpha dT / yield"), "{text}");
+    let weak = ["--set", "laser.path.pulse.power_w=20", "--set", "part.material=aluminium"];
+    let text = told(&[&["check", &format!("{CASES}/spot-aluminium")], &weak[..]].concat());
+    assert!(text.contains("leave out      evaporation"), "{text}");
+    assert!(!text.contains("latent heat: Stefan"), "nothing melts:\n{text}");
+}
