@@ -1,12 +1,13 @@
 """Residual stress of a clamped plate with a hot spot: the reference of clamped_plate.rs. Needs numpy and scipy.
 
-Run: python3 clamped_plate_reference.py 80 200 > clamped_plate.csv
+Run: python3 clamped_plate_reference.py 64 200 > clamped_plate.csv
 
 A disc of radius R and thickness R/2, clamped at its rim, faces free; axisymmetric, small strain, isotropic, J2 without
 hardening, sigma_y = 90 MPa (1 - (T - 293)/560) from 293 to 853 K, E 70 GPa, nu 0.33, strain exp(alpha dT) - 1 with alpha 23.1e-6.
 T - 293 K = 700 K f exp(-(r^2 + d^2)/(0.4 R)^2), d the depth below the upper face, f from 0 to 1 and back in equal steps.
 Four-node elements, CELLS over the radius, with the mean dilatation of the element (B-bar), radial return, Newton with its
-tangent (of which melt keeps 1e-3 of the elastic one, so that it can be solved). Prints r/R, depth/R and radial, hoop, axial and shear stress in MPa when cold, at the elements'
+tangent (of which melt keeps 1e-3 of the elastic one, so that it can be solved) and half
+steps back where it went too far. Prints r/R, depth/R and radial, hoop, axial and shear stress in MPa when cold, at the elements'
 middles nearest to a grid of 0.025 R.
 """
 import sys
@@ -75,6 +76,7 @@ def solve(cells, steps):
     for level in list(range(1, steps + 1)) + list(range(steps - 1, -1, -1)):
         rise = full * level / steps
         strength = YIELD * np.maximum(0.0, 1 - rise / RANGE)
+        before, change = np.inf, np.zeros(len(free))
         for _ in range(1000):
             strain = np.einsum("egkj,ej->egk", matrices, moved[numbers])
             elastic = strain - plastic - (np.exp(ALPHA * rise) - 1)[..., None] * ONE
@@ -89,6 +91,12 @@ def solve(cells, steps):
             residual = np.bincount(numbers.ravel(), force.ravel(), count)[free]
             if np.abs(residual).max() < 1e-5 * YIELD * size * 0.5:
                 break
+            if np.linalg.norm(residual) > before:
+                # Too far: half of the way back.
+                change *= 0.5
+                moved[free] += change
+                continue
+            before = np.linalg.norm(residual)
             # Bulk, what is left of shear, and none along the flow.
             share = np.maximum(scale, 1e-3)
             along = deviator / np.maximum(mises, 1e-300)[..., None] * 1.5**0.5
@@ -97,7 +105,8 @@ def solve(cells, steps):
             tangent = tangent - 0.999 * lost[..., None, None] * along[..., :, None] * along[..., None, :]
             stiffness = np.einsum("eg,egki,egkl,eglj->eij", weights, matrices, tangent, matrices, optimize=True)
             total = sparse.csc_matrix((stiffness.ravel(), (rows, columns)), (count, count))
-            moved[free] -= splu(total[free][:, free]).solve(residual)
+            change = splu(total[free][:, free]).solve(residual)
+            moved[free] -= change
         else:
             raise SystemExit(f"no equilibrium at level {level}")
         plastic = plastic + flow

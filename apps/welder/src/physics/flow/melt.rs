@@ -15,6 +15,8 @@ const SKIN: f64 = 0.4;
 pub(super) struct Melt {
     controls: FluidControls<3>,
     spacing: f64,
+    /// A sweep that has seen no particles, to begin a step of heat with.
+    fresh: FluidSweep<3>,
     sweep: FluidSweep<3>,
     /// The particles of the scene: melt, then walls.
     members: Vec<u32>,
@@ -30,8 +32,10 @@ pub(super) struct Melt {
 
 impl Melt {
     pub fn new(controls: FluidControls<3>, spacing: f64) -> Result<Self, sph_fluid::Error> {
+        let fresh = FluidSweep::new(controls)?;
         Ok(Self {
-            sweep: FluidSweep::new(controls)?,
+            sweep: fresh.clone(),
+            fresh,
             controls,
             spacing,
             members: Vec::new(),
@@ -64,8 +68,8 @@ impl Melt {
             return;
         }
         self.gather(particles, state, temperatures);
-        // The sweep remembers the surface of the last evaluation: a fresh one begins with none, whoever calls.
-        self.sweep = FluidSweep::new(self.controls).expect("checked when the scene was built");
+        // A sweep remembers the surface of its last evaluation: a fresh one begins with none, in a resumed run as in a whole one.
+        self.sweep = self.fresh.clone();
         let mut list = self.list();
         self.evaluate(&list, 0.0, state);
         let mut left = step;
