@@ -55,22 +55,25 @@ pub(super) fn reference_indices(
     QUANTITIES.iter().map(index).collect()
 }
 
-/// Largest error of a run over the quantities: its difference to the reference and what the reference may be off.
-/// Quantities that the case does not have (no melt) are no numbers and do not count.
-pub(super) fn bound(point: &Point, reference_indices: &[f64]) -> f64 {
-    let errors = QUANTITIES.iter().map(|quantity| (quantity.error)(&point.errors).abs());
-    errors.zip(reference_indices).map(|(error, index)| error + index).fold(0.0, f64::max)
+/// Largest error of a run over the quantities, and of which: its difference to the reference and what the reference may be
+/// off. Quantities that the case does not have (no melt) are no numbers and do not count.
+pub(super) fn bound(point: &Point, reference_indices: &[f64]) -> (f64, &'static str) {
+    let bounds = QUANTITIES
+        .iter()
+        .zip(reference_indices)
+        .map(|(quantity, index)| ((quantity.error)(&point.errors).abs() + index, quantity.name));
+    bounds.fold((0.0, "nothing"), |largest, one| if one.0 > largest.0 { one } else { largest })
 }
 
 /// The run of least processor time whose bound is at most `wanted`.
 pub(super) fn cheapest<'a>(points: &'a [Point], reference_indices: &[f64], wanted: f64) -> Option<&'a Point> {
-    let good = points.iter().filter(|point| bound(point, reference_indices) <= wanted);
+    let good = points.iter().filter(|point| bound(point, reference_indices).0 <= wanted);
     good.min_by(|a, b| a.cpu_s.total_cmp(&b.cpu_s))
 }
 
 /// The run of the least bound.
 pub(super) fn most_exact<'a>(points: &'a [Point], reference_indices: &[f64]) -> Option<&'a Point> {
-    let bound = |point: &&Point| bound(point, reference_indices);
+    let bound = |point: &&Point| bound(point, reference_indices).0;
     points.iter().min_by(|a, b| bound(a).total_cmp(&bound(b)))
 }
 
@@ -137,6 +140,7 @@ mod tests {
         let indices = reference_indices((0.05, &reference.sizes), &points, &estimates(&points));
         assert!((indices[0] / (1.25 * 0.5 * 0.05 * 0.05) - 1.0).abs() < 2e-3, "{indices:?}");
         assert!(indices[4].is_nan());
-        assert!(bound(&points[2], &indices) > bound(&points[2], &[0.0; 5]));
+        assert!(bound(&points[2], &indices).0 > bound(&points[2], &[0.0; 5]).0);
+        assert_eq!(bound(&points[0], &[0.0, 0.02, 0.0, 0.0, f64::NAN]).1, "depth");
     }
 }

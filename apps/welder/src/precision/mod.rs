@@ -158,11 +158,12 @@ fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<ExitStatus, Pre
 /// Says which run is the cheapest that is as exact as wanted; without one the audit has failed.
 fn choose(points: &[Point], indices: &[f64], wanted: f64) -> ExitStatus {
     let told = |point: &Point| {
+        let (bound, quantity) = estimate::bound(point, indices);
         format!(
-            "`{}` at spacing_m {:e}: {:.2} % in {:.3} s of processor time",
+            "`{}` at spacing_m {:.3e}: {:.2} %, of {quantity}, in {:.3} s of processor time",
             point.setting,
             point.spacing_m,
-            100.0 * estimate::bound(point, indices),
+            100.0 * bound,
             point.cpu_s
         )
     };
