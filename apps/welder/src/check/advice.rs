@@ -28,11 +28,7 @@ pub(super) fn advice(case: &Case, model: &Model) -> Vec<String> {
     lines.push(losses(model.faces.top, card, peak, &scales));
     lines.extend(movement(&scales));
     lines.push(stress(case, model, card, peak));
-    lines.push(told(
-        None,
-        "flow",
-        "not judged: a card holds no viscosity and no slope of the surface tension".into(),
-    ));
+    lines.push(flow(case, model, card, peak, &scales));
     lines
 }
 
@@ -152,6 +148,39 @@ fn movement(scales: &Scales) -> Option<String> {
             ),
         )
     })
+}
+
+/// Heat that Marangoni flow carries over heat that is conducted, v w/a, with the speed of a surface layer,
+/// (tau_T^2 dT^2/(rho eta w))^(1/3) (Ostrach 1982), at most that of a flow that friction rules.
+fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Scales) -> String {
+    let (Some(viscosity), Some(slope)) = (&card.viscosity_pa_s, &card.surface_tension_slope_n_m_k) else {
+        let text = "not judged: the card lacks viscosity_pa_s or surface_tension_slope_n_m_k";
+        return told(None, "flow", text.into());
+    };
+    let material = &model.materials[0];
+    let hottest = card.boiling_k.as_ref().map_or(peak, |boiling| peak.min(boiling.value));
+    let excess = hottest - material.liquidus;
+    if excess <= 0.0 {
+        return told(Some(false), "flow", "nothing melts".into());
+    }
+    let (pull, density) = (slope.value.abs() * excess, material.density);
+    let layer = (pull * pull / (density * viscosity.value * scales.radius)).cbrt();
+    let speed = layer.min(0.15 * pull / viscosity.value);
+    let liquid = material.heat_capacity_liquid.at(material.liquidus);
+    let peclet = speed * scales.radius * density * liquid / material.conductivity(material.liquidus);
+    let listed = case.scene.flow().is_some();
+    let cost = match (peclet > 1.0, listed) {
+        (true, false) => {
+            "; a pool with flow has another width and depth, which a case without Flow() does not show"
+        }
+        _ => "",
+    };
+    let way = if slope.value < 0.0 { "outwards" } else { "inwards" };
+    told(
+        Some(peclet > 1.0),
+        "flow",
+        format!("Marangoni flow {way} at about {speed:.2} m/s, Peclet {peclet:.1}{cost} (Ostrach 1982)"),
+    )
 }
 
 /// E alpha dT / sigma_y: stress of a fully held body over its yield stress at the start (Boley and Weiner 1960). The program
