@@ -256,7 +256,7 @@ def main():
 
     size = {"heat_side": 47, "dam_spacing": 0.0215, "bar": (160, 25), "lammps_steps": 20}
     if arguments.quick:
-        size = {"heat_side": 24, "dam_spacing": 0.05, "bar": (40, 12), "lammps_steps": 5}
+        size = {"heat_side": 24, "dam_spacing": 0.043, "bar": (40, 12), "lammps_steps": 5}
 
     lammps = Lammps(arguments.peers.resolve(), arguments.threads)
     examples = build()
