@@ -224,10 +224,10 @@ def rates(runs):
 
 
 def print_table(results):
-    print(f"\n{'scene':10} {'form':28} {'moving':>8} {'pairs':>6} {'Mp-s/s':>8} {'Mpair/s':>8} {'per cpu s':>9}  runs (s/step)")
+    print(f"\n{'scene':10} {'form':28} {'moving':>8} {'pairs':>6} {'Mp-s/s':>8} {'Mpair/s':>8} {'per cpu s':>9}  runs (ms/step)")
     for (scene, form), runs in results.items():
         particle_rate, pair_rate, busy = rates(runs)
-        each = " ".join(f"{run.seconds_a_step:.4f}" for run in runs)
+        each = " ".join(f"{1e3 * run.seconds_a_step:.2f}" for run in runs)
         print(
             f"{scene:10} {form:28} {runs[0].particles:8} {runs[0].pairs / runs[0].particles:6.1f} "
             f"{particle_rate:8.3f} {pair_rate:8.1f} {busy:9.1f}  {each}"

@@ -45,8 +45,7 @@ pub fn regularised_inverse<const D: usize>(moment: &SMatrix<f64, D, D>) -> SMatr
 #[inline]
 fn is_positive_definite<const D: usize>(mut matrix: SMatrix<f64, D, D>) -> bool {
     for k in 0..D {
-        // False for a NaN as well.
-        if !(matrix[(k, k)] > 0.0) {
+        if matrix[(k, k)] <= 0.0 {
             return false;
         }
         for row in k + 1..D {
