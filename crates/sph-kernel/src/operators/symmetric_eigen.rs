@@ -32,8 +32,9 @@ fn rotate<const D: usize>(
         return;
     }
     let ratio = (matrix[(q, q)] - matrix[(p, p)]) / (2.0 * matrix[(p, q)]);
-    let tangent = ratio.signum() / (ratio.abs() + ratio.hypot(1.0));
-    let cosine = 1.0 / tangent.hypot(1.0);
+    // A ratio whose square overflows gives an angle of zero, which it is to round-off.
+    let tangent = ratio.signum() / (ratio.abs() + (ratio * ratio + 1.0).sqrt());
+    let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
     let sine = tangent * cosine;
     for k in 0..D {
         let (at_p, at_q) = (matrix[(k, p)], matrix[(k, q)]);

@@ -194,19 +194,25 @@ impl<const D: usize> TotalLagrangian<D> {
         let (links, moved, tensors, speeds) =
             (&self.reference.links, &self.moved, &self.tensors, &self.speeds);
         let modulus = PointLaw::new(&self.material, &self.controls).hourglass_modulus;
-        let pull = |i: usize, j: usize, weight: Lanes| {
-            let (here, there) = (&tensors[i], &tensors[j]);
-            let mut force = (moved[j] - moved[i]) * (modulus * weight.scalar());
-            for axis in 0..D {
-                force = (here[axis] + there[axis]).times_plus(weight.0[axis], force);
+        let pull = |i: usize| {
+            let (here, place) = (tensors[i], moved[i]);
+            move |j: usize, weight: Lanes| {
+                let there = &tensors[j];
+                let mut force = (moved[j] - place) * (modulus * weight.scalar());
+                for axis in 0..D {
+                    force = (here[axis] + there[axis]).times_plus(weight.0[axis], force);
+                }
+                force
             }
-            force
         };
         let law = ArtificialViscosity { alpha: self.controls.viscosity, beta: 0.0 };
         let sound = self.wave_speed();
-        let damped = |i: usize, j: usize, weight: Lanes| {
-            pull(i, j, weight)
-                + viscous_force::<D>(&law, sound, [moved[i], moved[j]], [speeds[i], speeds[j]], weight)
+        let damped = |i: usize| {
+            let pull = pull(i);
+            move |j: usize, weight: Lanes| {
+                let (moved, speeds) = ([moved[i], moved[j]], [speeds[i], speeds[j]]);
+                pull(j, weight) + viscous_force::<D>(&law, sound, moved, speeds, weight)
+            }
         };
         let viscous = !speeds.is_empty();
         self.forces.par_chunks_mut(BLOCK).enumerate().for_each(|(block, forces)| {

@@ -1,8 +1,8 @@
 //! The total-Lagrangian form: everything is measured from one reference configuration.
 
 mod body;
-mod lanes;
-mod links;
+pub(crate) mod lanes;
+pub(crate) mod links;
 mod material;
 mod point;
 mod reference;

@@ -93,7 +93,7 @@ impl<const D: usize> Reference<D> {
     pub fn new(columns: &ReferenceColumns<'_, D>, kernel: KernelKind) -> Result<Self, Error> {
         columns.check()?;
         let particles = columns.positions.len();
-        let mut links = Links::with_capacity(particles);
+        let mut links = Links::new(0, particles);
         let mut corrections = Vec::with_capacity(particles);
         let mut buffer = RowBuffer::default();
         for i in 0..particles {

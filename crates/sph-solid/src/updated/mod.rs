@@ -2,6 +2,8 @@
 
 mod rows;
 mod sweep;
+#[cfg(test)]
+mod tests;
 
 pub use rows::{
     DampingColumns, artificial_stress_acceleration, hourglass_viscosity, stress_acceleration,

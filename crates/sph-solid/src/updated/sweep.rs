@@ -1,19 +1,17 @@
 //! The stand-alone sweep of the updated-Lagrangian form.
 
-use super::rows::{
-    DampingColumns, artificial_stress_acceleration, hourglass_viscosity, stress_acceleration,
-    velocity_gradient, viscous_acceleration,
-};
 use crate::error::{Error, require};
+use crate::total::lanes::{Columns, Lanes, columns, matrix};
+use crate::total::links::{BLOCK, Links, ListBuffer};
 use crate::{
     ARTIFICIAL_STRESS_EXPONENT, ARTIFICIAL_STRESS_FACTOR, ArtificialViscosity, Material, SymmetricTensor,
-    advanced_deviator, artificial_stress, density_ratio, midpoint_gradient, pressure, pressure_wave_speed,
-    radial_return,
+    advanced_deviator, artificial_stress, artificial_stress_weight, density_ratio, midpoint_gradient,
+    pressure, pressure_wave_speed, radial_return,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
-use sph_kernel::operators::{moment, regularised_inverse};
-use sph_kernel::{RowBuffer, ScaledKernel};
+use sph_kernel::ScaledKernel;
+use sph_kernel::operators::regularised_inverse;
 
 /// How gradients and forces are formed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,16 +107,40 @@ pub struct UpdatedState<'a, const D: usize> {
 
 /// A body in the updated-Lagrangian form: stress by the Jaumann rate, pressure from density.
 ///
-/// For the classic tests, for what breaks and for the mush; the total-Lagrangian form is faster and more accurate.
+/// For the classic tests, for what breaks and for the mush; the total-Lagrangian form is faster and more accurate. The
+/// sweep gives what the row functions of this module give; particles in the order of a spatial sort are fastest.
 #[derive(Clone, Debug)]
 pub struct UpdatedLagrangian<const D: usize> {
     controls: UpdatedControls<D>,
     material: Material,
-    volumes: Vec<f64>,
-    corrections: Vec<SMatrix<f64, D, D>>,
-    gradients: Vec<SMatrix<f64, D, D>>,
-    tensors: Vec<SMatrix<f64, D, D>>,
-    repulsions: Vec<SMatrix<f64, D, D>>,
+    /// Positions \[m\], volumes \[m^D\] beside.
+    places: Vec<Lanes>,
+    /// Velocities \[m/s\].
+    speeds: Vec<Lanes>,
+    points: Vec<Point<D>>,
+    repulsions: Vec<Columns<D>>,
+    forces: Vec<Lanes>,
+    blocks: Vec<Block<D>>,
+}
+
+/// What the forces read of one particle, together in memory.
+#[derive(Clone, Copy, Debug)]
+struct Point<const D: usize> {
+    /// Velocity \[m/s\] and, beside it, the density at the end of the step \[kg/m^3\].
+    speed: Lanes,
+    /// Velocity gradient L \[1/s\].
+    gradient: Columns<D>,
+    /// sigma B/rho^2 \[Pa m^6/kg^2\] and, beside its first column, the density \[kg/m^3\] of the volumes in the weights.
+    tensor: Columns<D>,
+}
+
+/// Pairs of a block of particles at their present positions, and the sums that they give.
+#[derive(Clone, Debug)]
+struct Block<const D: usize> {
+    links: Links,
+    buffer: ListBuffer,
+    moments: Vec<Columns<D>>,
+    gradients: Vec<Columns<D>>,
 }
 
 impl<const D: usize> UpdatedLagrangian<D> {
@@ -128,22 +150,28 @@ impl<const D: usize> UpdatedLagrangian<D> {
     /// [`Error::OutOfRange`] for a spacing that is not positive or a coefficient that is negative.
     pub fn new(particles: usize, material: Material, controls: UpdatedControls<D>) -> Result<Self, Error> {
         controls.check()?;
-        let zeros = vec![SMatrix::zeros(); particles];
+        let zero = [Lanes::default(); D];
+        let block = |first: usize| {
+            let sums = vec![zero; BLOCK.min(particles - first)];
+            let (links, buffer) = (Links::new(first, sums.len()), ListBuffer::default());
+            Block { links, buffer, moments: sums.clone(), gradients: sums }
+        };
         Ok(Self {
             controls,
             material,
-            volumes: vec![0.0; particles],
-            corrections: vec![SMatrix::identity(); particles],
-            gradients: zeros.clone(),
-            tensors: zeros.clone(),
-            repulsions: zeros,
+            places: vec![Lanes::default(); particles],
+            speeds: vec![Lanes::default(); particles],
+            points: vec![Point { speed: Lanes::default(), gradient: zero, tensor: zero }; particles],
+            repulsions: vec![zero; particles],
+            forces: vec![Lanes::default(); particles],
+            blocks: (0..particles).step_by(BLOCK).map(block).collect(),
         })
     }
 
-    /// Velocity gradients \[1/s\] at the end of the last step.
+    /// Velocity gradient of a particle \[1/s\] at the end of the last step.
     #[must_use]
-    pub fn gradients(&self) -> &[SMatrix<f64, D, D>] {
-        &self.gradients
+    pub fn gradient(&self, particle: usize) -> SMatrix<f64, D, D> {
+        matrix(&self.points[particle].gradient)
     }
 
     /// Stress of the solver -p 1 + S \[Pa\] for a particle's density, temperature \[K\] and deviator; in true units by
@@ -155,9 +183,7 @@ impl<const D: usize> UpdatedLagrangian<D> {
         temperature_k: f64,
         deviator: &SymmetricTensor<D>,
     ) -> SymmetricTensor<D> {
-        let reference = self.material.expansion.reference_density(temperature_k);
-        let pressure = pressure(self.material.solver_moduli().bulk_pa(), density, reference);
-        *deviator - SymmetricTensor::isotropic(pressure)
+        stress(&self.material, density, temperature_k, deviator)
     }
 
     /// Second half of a kick-drift-kick step's work: after the drift by `dt_s`, advances density and stress by the gradient
@@ -172,93 +198,182 @@ impl<const D: usize> UpdatedLagrangian<D> {
         dt_s: f64,
         accelerations: &mut [SVector<f64, D>],
     ) {
-        assert_eq!(fields.positions.len(), self.volumes.len(), "positions");
-        assert_eq!(accelerations.len(), self.volumes.len(), "accelerations");
-        for i in 0..self.volumes.len() {
-            self.volumes[i] = fields.masses[i] / state.densities[i];
-        }
-        self.measure_gradients(fields);
+        let particles = self.places.len();
+        assert_eq!(fields.positions.len(), particles, "positions");
+        assert_eq!(fields.velocities.len(), particles, "velocities");
+        assert_eq!(fields.masses.len(), particles, "masses");
+        assert_eq!(fields.temperatures.len(), particles, "temperatures");
+        assert_eq!(state.densities.len(), particles, "densities");
+        assert_eq!(state.deviators.len(), particles, "deviators");
+        assert_eq!(state.equivalents.len(), particles, "equivalent plastic strains");
+        assert_eq!(accelerations.len(), particles, "accelerations");
+        self.gather(fields, state.densities);
         self.advance(fields, state, dt_s);
-        self.sum_forces(fields, state.densities, accelerations);
-    }
-
-    /// First pass: B and the velocity gradients at the end positions.
-    fn measure_gradients(&mut self, fields: &UpdatedFields<'_, D>) {
-        let (controls, volumes) = (&self.controls, &self.volumes);
-        let columns = self.gradients.par_iter_mut().zip(self.corrections.par_iter_mut()).enumerate();
-        columns.for_each_init(RowBuffer::default, |buffer, (i, (gradient, correction))| {
-            let row = buffer.fill(i, neighbors(fields, i), fields.positions, &controls.kernel);
-            if controls.form == UpdatedForm::Corrected {
-                *correction = regularised_inverse(&moment(&row, volumes));
-            }
-            *gradient = velocity_gradient(&row, volumes, fields.velocities, correction);
+        self.sum_forces(state.densities.first().copied().unwrap_or(1.0));
+        let forces = accelerations.par_iter_mut().zip(&self.forces).zip(fields.masses);
+        forces.with_min_len(BLOCK).for_each(|((acceleration, force), mass)| {
+            *acceleration = force.vector::<D>() / *mass;
         });
     }
 
-    /// Density, deviator and yield of every particle; then the tensors of the forces.
+    /// Copies what pairs read into padded columns.
+    fn gather(&mut self, fields: &UpdatedFields<'_, D>, densities: &[f64]) {
+        let both = self.places.par_iter_mut().zip(&mut self.speeds).with_min_len(BLOCK);
+        both.enumerate().for_each(|(i, (place, speed))| {
+            *place = Lanes::new(&fields.positions[i], fields.masses[i] / densities[i]);
+            *speed = Lanes::new(&fields.velocities[i], 0.0);
+        });
+    }
+
+    /// First pass: pairs, B and the velocity gradients at the end positions; with them density, deviator and yield; then
+    /// what the forces read.
     fn advance(&mut self, fields: &UpdatedFields<'_, D>, state: &mut UpdatedState<'_, D>, dt_s: f64) {
-        let shear_pa = self.material.solver_moduli().shear_pa();
-        for i in 0..self.volumes.len() {
-            let mid = midpoint_gradient(&self.gradients[i], dt_s);
-            state.densities[i] *= density_ratio(&mid, dt_s);
-            let deviator = &mut state.deviators[i];
-            *deviator = advanced_deviator(deviator, &mid, shear_pa, dt_s);
-            if self.material.yield_stress.is_some() {
-                let yield_pa = self.material.solver_yield_pa(fields.temperatures[i]);
-                if let Some(step) = radial_return(deviator, shear_pa, yield_pa) {
-                    *deviator = *deviator * step.scale;
-                    state.equivalents[i] += step.equivalent;
+        let Self { controls, material, places, speeds, .. } = self;
+        let corrected = controls.form == UpdatedForm::Corrected;
+        let shear_pa = material.solver_moduli().shear_pa();
+        self.blocks
+            .par_iter_mut()
+            .zip(self.points.par_chunks_mut(BLOCK))
+            .zip(self.repulsions.par_chunks_mut(BLOCK))
+            .zip(state.densities.par_chunks_mut(BLOCK))
+            .zip(state.deviators.par_chunks_mut(BLOCK))
+            .zip(state.equivalents.par_chunks_mut(BLOCK))
+            .enumerate()
+            .for_each(|(number, (((((block, points), repulsions), densities), deviators), equivalents))| {
+                let first = number * BLOCK;
+                block.sum(first, places, speeds, corrected, |i| neighbors(fields, i), &controls.kernel);
+                for k in 0..points.len() {
+                    let i = first + k;
+                    let volume = places[i].scalar();
+                    let correction = if corrected {
+                        regularised_inverse(&(matrix(&block.moments[k]) / volume))
+                    } else {
+                        SMatrix::identity()
+                    };
+                    let gradient = matrix(&block.gradients[k]) * correction / volume;
+                    let mid = midpoint_gradient(&gradient, dt_s);
+                    let listed_density = densities[k];
+                    let density = listed_density * density_ratio(&mid, dt_s);
+                    let mut deviator = advanced_deviator(&deviators[k], &mid, shear_pa, dt_s);
+                    if material.yield_stress.is_some() {
+                        let yield_pa = material.solver_yield_pa(fields.temperatures[i]);
+                        if let Some(step) = radial_return(&deviator, shear_pa, yield_pa) {
+                            deviator = deviator * step.scale;
+                            equivalents[k] += step.equivalent;
+                        }
+                    }
+                    (densities[k], deviators[k]) = (density, deviator);
+                    let stress = stress(material, density, fields.temperatures[i], &deviator).in_plane;
+                    let mut tensor = columns(&(stress * correction / (density * density)));
+                    tensor[0].0[3] = listed_density;
+                    let speed = Lanes::new(&fields.velocities[i], density);
+                    points[k] = Point { speed, gradient: columns(&gradient), tensor };
+                    if controls.artificial_stress > 0.0 {
+                        repulsions[k] =
+                            columns(&artificial_stress(&stress, density, controls.artificial_stress));
+                    }
+                }
+            });
+    }
+
+    /// Second pass: the divergence of stress and what is added to it, as forces \[N; N/m in plane strain\].
+    fn sum_forces(&mut self, density: f64) {
+        let (controls, places, points, repulsions) =
+            (&self.controls, &self.places, &self.points, &self.repulsions);
+        let wave_speed = pressure_wave_speed(self.material.solver_moduli(), density);
+        let length = controls.kernel.smoothing_length();
+        let hourglass = controls.hourglass_viscosity * wave_speed * length;
+        let viscous = controls.viscosity.alpha > 0.0 || controls.viscosity.beta > 0.0;
+        let repulsive = controls.artificial_stress > 0.0;
+        let value_at_spacing = controls.kernel.value(controls.spacing);
+        // All of them for m_i m_j = V_i V_j times the densities of these volumes, but without these densities.
+        let pull = |here: &Point<D>, there: &Point<D>, weight: Lanes| {
+            let damping = 2.0 * hourglass / (here.speed + there.speed).scalar();
+            let mut force = (there.speed - here.speed) * (damping * weight.scalar());
+            for axis in 0..D {
+                let tensor = here.tensor[axis] + there.tensor[axis];
+                let twice_mean = here.gradient[axis] + there.gradient[axis];
+                force = twice_mean.times_plus(-0.5 * damping, tensor).times_plus(weight.0[axis], force);
+            }
+            force
+        };
+        let added = |i: usize, j: usize, weight: Lanes| {
+            let separation = (places[i] - places[j]).vector::<D>();
+            let (here, there) = (points[i].speed, points[j].speed);
+            let relative = (here - there).vector::<D>();
+            let density = 0.5 * (here + there).scalar();
+            let pi = controls.viscosity.pair(&separation, &relative, length, wave_speed, density);
+            let mut force = weight * -pi;
+            if repulsive {
+                let value = controls.kernel.value(separation.norm());
+                let share = artificial_stress_weight(value, value_at_spacing, ARTIFICIAL_STRESS_EXPONENT);
+                for axis in 0..D {
+                    let both = repulsions[i][axis] + repulsions[j][axis];
+                    force = both.times_plus(share * weight.0[axis], force);
                 }
             }
-            let stress =
-                self.stress(state.densities[i], fields.temperatures[i], &state.deviators[i]).in_plane;
-            let density = state.densities[i];
-            self.tensors[i] = stress * self.corrections[i] / (density * density);
-            if self.controls.artificial_stress > 0.0 {
-                self.repulsions[i] = artificial_stress(&stress, density, self.controls.artificial_stress);
-            }
-        }
-    }
-
-    /// Second pass: the divergence of stress and what is added to it.
-    fn sum_forces(
-        &self,
-        fields: &UpdatedFields<'_, D>,
-        densities: &[f64],
-        accelerations: &mut [SVector<f64, D>],
-    ) {
-        let controls = &self.controls;
-        let value_at_spacing = controls.kernel.value(controls.spacing);
-        let density = densities.first().copied().unwrap_or(1.0);
-        let damping = DampingColumns {
-            masses: fields.masses,
-            densities,
-            velocities: fields.velocities,
-            gradients: &self.gradients,
-            wave_speed: pressure_wave_speed(self.material.solver_moduli(), density),
+            force
         };
-        accelerations.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, sum)| {
-            let row = buffer.fill(i, neighbors(fields, i), fields.positions, &controls.kernel);
-            *sum = stress_acceleration(&row, fields.masses, &self.tensors);
-            if controls.artificial_stress > 0.0 {
-                let exponent = ARTIFICIAL_STRESS_EXPONENT;
-                let repulsions = &self.repulsions;
-                *sum += artificial_stress_acceleration(
-                    &row,
-                    fields.masses,
-                    repulsions,
-                    value_at_spacing,
-                    exponent,
-                );
+        let densities =
+            |here: &Point<D>, there: &Point<D>| here.tensor[0].scalar() * there.tensor[0].scalar();
+        let conjugate = |i: usize| {
+            let here = points[i];
+            move |j: usize, weight: Lanes| pull(&here, &points[j], weight) * densities(&here, &points[j])
+        };
+        let damped = |i: usize| {
+            let here = points[i];
+            move |j: usize, weight: Lanes| {
+                let force = pull(&here, &points[j], weight) + added(i, j, weight);
+                force * densities(&here, &points[j])
             }
-            if controls.viscosity.alpha > 0.0 || controls.viscosity.beta > 0.0 {
-                *sum += viscous_acceleration(&row, &damping, &controls.kernel, &controls.viscosity);
-            }
-            if controls.hourglass_viscosity > 0.0 {
-                *sum += hourglass_viscosity(&row, &damping, &controls.kernel, controls.hourglass_viscosity);
+        };
+        let blocks = self.blocks.par_iter().zip(self.forces.par_chunks_mut(BLOCK)).enumerate();
+        blocks.for_each(|(number, (block, forces))| {
+            forces.fill(Lanes::default());
+            if viscous || repulsive {
+                block.links.add_forces(number * BLOCK, forces, damped);
+            } else {
+                block.links.add_forces(number * BLOCK, forces, conjugate);
             }
         });
     }
+}
+
+impl<const D: usize> Block<D> {
+    /// Finds the pairs and sums what they give to the moments, where these are `wanted`, and to the velocity gradients.
+    fn sum<'a>(
+        &mut self,
+        first: usize,
+        places: &[Lanes],
+        speeds: &[Lanes],
+        wanted: bool,
+        list: impl Fn(usize) -> &'a [u32],
+        kernel: &ScaledKernel<D>,
+    ) {
+        let Self { links, buffer, moments, gradients } = self;
+        links.clear();
+        moments.fill([Lanes::default(); D]);
+        gradients.fill([Lanes::default(); D]);
+        for i in first..first + gradients.len() {
+            links.push_listed(list(i), places, kernel, buffer);
+            if wanted {
+                links.add_gradients(i, first, places, moments);
+            }
+            links.add_gradients(i, first, speeds, gradients);
+        }
+    }
+}
+
+/// -p 1 + S \[Pa\].
+fn stress<const D: usize>(
+    material: &Material,
+    density: f64,
+    temperature_k: f64,
+    deviator: &SymmetricTensor<D>,
+) -> SymmetricTensor<D> {
+    let reference = material.expansion.reference_density(temperature_k);
+    let pressure = pressure(material.solver_moduli().bulk_pa(), density, reference);
+    *deviator - SymmetricTensor::isotropic(pressure)
 }
 
 /// The row of the list of particle `i`.

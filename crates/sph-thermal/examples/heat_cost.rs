@@ -1,8 +1,10 @@
-//! Explicit heat steps on a uniform block: the scene of `docs/benchmarks/lammps_heat.in`, timed.
+//! What an explicit heat step costs where particles rest: the scene of `docs/references/peers/heat.in`, timed.
 //!
-//! `cargo run --release -p sph-thermal --example uniform_block -- [particles a side] [steps]`. Threads by
-//! `RAYON_NUM_THREADS`. A cubic lattice, 80 neighbours a particle, plain weights of Cleary and Monaghan, forward Euler,
-//! T = e/c_v, a hot ball in the middle. Prints what was done and how long the steps alone took.
+//! `cargo run --release -p sph-thermal --example heat_cost -- [particles a side: 30] [steps: 50]`. Threads by
+//! `RAYON_NUM_THREADS`. A cubic lattice with mirrored faces, 80 neighbours a particle, plain weights of Cleary and
+//! Monaghan, stored once, forward Euler, T = e/c_v, a hot ball in the middle. Directed pairs are those that are stored:
+//! mirror images are folded onto their sources. The line that begins with RESULT is for programs: seconds of the clock
+//! and of the processor for the steps alone.
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -25,8 +27,8 @@ const BLOCK: usize = 512 * LANES;
 
 fn main() {
     let mut arguments = std::env::args().skip(1).map(|text| text.parse().expect("a whole number"));
-    let side: usize = arguments.next().unwrap_or(80);
-    let steps: usize = arguments.next().unwrap_or(30);
+    let side: usize = arguments.next().unwrap_or(30);
+    let steps: usize = arguments.next().unwrap_or(50);
     let positions = lattice(side);
     let begun = Instant::now();
     let (matrix, searched) = conduction(side, &positions);
@@ -35,18 +37,31 @@ fn main() {
     let total: f64 = energy.iter().sum();
     let mut next = energy.clone();
     run(&matrix, &mut energy, &mut next, 5);
-    let begun = Instant::now();
+    let (begun, processor) = (Instant::now(), processor_seconds());
     run(&matrix, &mut energy, &mut next, steps);
-    let seconds = begun.elapsed().as_secs_f64();
+    let (seconds, processor) = (begun.elapsed().as_secs_f64(), processor_seconds() - processor);
     let kept: f64 = energy.iter().sum();
-    let visits = matrix.pairs() as f64 * steps as f64;
-    print!("particles {} steps {steps} pairs {} ", matrix.particles(), matrix.pairs());
-    print!("searched_neighbours {searched} threads {} ", rayon::current_num_threads());
-    print!(
-        "set_up {set_up:.2} seconds {seconds:.4} million_pairs_per_second {:.1} ",
-        visits / seconds * 1e-6
+    let (particles, pairs, threads) = (matrix.particles(), matrix.pairs(), rayon::current_num_threads());
+    println!(
+        "{particles} particles with {searched:.1} neighbours, {:.1} stored: {:.1} million particle-steps, {:.0} million \
+         directed pairs a second",
+        pairs as f64 / particles as f64,
+        1e-6 * (particles * steps) as f64 / seconds,
+        1e-6 * (pairs * steps) as f64 / seconds
     );
-    println!("energy_change {:.1e}", kept / total - 1.0);
+    println!("set up in {set_up:.2} s, relative change of energy {:.1e}", kept / total - 1.0);
+    println!(
+        "RESULT scene=heat form=stored-matrix particles={particles} pairs={pairs} steps={steps} seconds={seconds:.4} \
+         processor_seconds={processor:.2} threads={threads}"
+    );
+}
+
+/// Time of all threads of this process on processors \[s\] to a hundredth; zero where there is no /proc.
+fn processor_seconds() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    // User and system time, in ticks of a hundredth; the name before them may hold blanks, but ends with a bracket.
+    let fields = text.rsplit(')').next().unwrap_or_default().split_whitespace();
+    fields.skip(11).take(2).filter_map(|field| field.parse::<f64>().ok()).sum::<f64>() / 100.0
 }
 
 /// Cell centres of a cube with its low corner at the origin \[m\].

@@ -1,10 +1,11 @@
 //! What a step of a weakly compressible fluid costs: the plain `FluidSweep` against the packed one, on one thread and
 //! on two.
 //!
-//! `cargo run --release -p sph-fluid --example cost -- 200000` takes 200 000 particles (20 000 without an argument): a
-//! swirl in a cube, Wendland C2, h = 1.3 spacings, step 0.25 h/c. Directed pairs are those inside the support, counted
+//! `cargo run --release -p sph-fluid --example fluid_cost -- 200000` takes 200 000 particles (20 000 without an argument):
+//! a swirl in a cube, Wendland C2, h = 1.3 spacings, step 0.25 h/c. Directed pairs are those inside the support, counted
 //! once an evaluation, however often they are visited. Sweeps: median of some runs, best in brackets; steps: mean with
-//! lists.
+//! lists. A second argument leaves only the packed steps, on that many threads. Lines that begin with RESULT are for
+//! programs: seconds of the clock and of the processor for all steps.
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -71,13 +72,29 @@ fn report_sweep(name: &str, pairs: usize, times: [f64; 2]) {
     println!("  {name:40} {median:6.1} ({best:6.1}) million directed pairs a second");
 }
 
+/// Time of all threads of this process on processors \[s\] to a hundredth; zero where there is no /proc.
+fn processor_seconds() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    // User and system time, in ticks of a hundredth; the name before them may hold blanks, but ends with a bracket.
+    let fields = text.rsplit(')').next().unwrap_or_default().split_whitespace();
+    fields.skip(11).take(2).filter_map(|field| field.parse::<f64>().ok()).sum::<f64>() / 100.0
+}
+
 /// Takes `steps` steps and returns their time \[s\].
 fn report_steps(name: &str, particles: usize, pairs: usize, steps: usize, mut step: impl FnMut()) -> f64 {
-    let start = Instant::now();
+    let (start, processor) = (Instant::now(), processor_seconds());
     (0..steps).for_each(|_| step());
-    let whole = start.elapsed().as_secs_f64();
-    let [pairs, particles] = [pairs, particles].map(|count| 1e-6 * (count * steps) as f64 / whole);
-    println!("  {name:40} {pairs:6.1} million directed pairs, {particles:.2} million particles a second");
+    let (whole, processor) = (start.elapsed().as_secs_f64(), processor_seconds() - processor);
+    let [pair_rate, particle_rate] = [pairs, particles].map(|count| 1e-6 * (count * steps) as f64 / whole);
+    println!(
+        "  {name:40} {pair_rate:6.1} million directed pairs, {particle_rate:.2} million particles a second"
+    );
+    println!(
+        "RESULT scene=dam-break form={} particles={particles} pairs={pairs} steps={steps} seconds={whole:.4} \
+         processor_seconds={processor:.2} threads={}",
+        name.replace(", ", "-").replace(' ', "-"),
+        rayon::current_num_threads()
+    );
     whole
 }
 
@@ -291,6 +308,10 @@ fn compare(positions: &[Vector3<f64>], side: usize, pairs: usize) {
     });
     report_sweep("packed sweep, density and force apart", pairs, apart);
     report_steps("plain step", positions.len(), pairs, PLAIN_STEPS, || plain.step());
+}
+
+fn packed_steps(positions: &[Vector3<f64>], side: usize, pairs: usize) {
+    let mut packed = Packed::new(positions, side, 0.1);
     packed.run("packed step, one visit", pairs, Packed::step_one_visit);
     let mut packed = Packed::new(positions, side, 0.1);
     packed.run("packed step, density first", pairs, Packed::step_density_first);
@@ -298,16 +319,23 @@ fn compare(positions: &[Vector3<f64>], side: usize, pairs: usize) {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let particles: usize = std::env::args().nth(1).map_or(Ok(20_000), |text| text.parse())?;
+    let only_threads: Option<usize> = std::env::args().nth(2).map(|text| text.parse()).transpose()?;
     let side = (particles as f64).cbrt().round() as usize;
     let positions = cube(side);
     let reach = PairReach::Uniform(controls(0.0).kernel.support_radius());
     let pairs = SearchMethod::default().find(&positions, reach)?.pairs();
     let each = pairs as f64 / positions.len() as f64;
     println!("{} particles with {each:.1} neighbours inside the support", positions.len());
-    for threads in [1, 2] {
+    let threads = only_threads.map_or(vec![1, 2], |threads| vec![threads]);
+    for threads in threads {
         println!("{threads} thread(s)");
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-        pool.install(|| compare(&positions, side, pairs));
+        pool.install(|| {
+            if only_threads.is_none() {
+                compare(&positions, side, pairs);
+            }
+            packed_steps(&positions, side, pairs);
+        });
     }
     Ok(())
 }
