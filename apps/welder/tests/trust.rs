@@ -56,9 +56,12 @@ fn the_pages_of_the_book_hold_what_the_run_found() {
 #[test]
 fn a_spot_is_advised() {
     let text = told(&["check", &format!("{CASES}/spot-aluminium")]);
-    for words in
-        ["matters        latent heat: Stefan", "bottom face: Fourier", "losses: Biot", "matters        flow: Marangoni flow outwards"]
-    {
+    for words in [
+        "matters        latent heat: Stefan",
+        "bottom face: Fourier",
+        "losses: Biot",
+        "matters        flow: Marangoni flow outwards",
+    ] {
         assert!(text.contains(words), "`{words}` is not in:\n{text}");
     }
     assert!(!text.contains("movement: Peclet"), "a spot does not move:\n{text}");
