@@ -13,9 +13,9 @@ const RIM: usize = 3;
 const LEVELS: u32 = 100;
 const RISE: f64 = 700.0;
 
-/// Residual stress \[MPa\] of `clamped_plate_reference.py 64 200`, every 0.025 R from 0.0125 R: 36 radii, 20 depths each. Against
+/// Residual stress \[MPa\] of `data/clamped_plate_reference.py 64 200`, every 0.025 R from 0.0125 R: 36 radii, 20 depths each. Against
 /// it, 24 and 40 cells over the radius are off by 4.7 and 1.4 % in the norm of [`ClampedPlate::error`], 100 levels by 0.03 %.
-const REFERENCE: &str = include_str!("clamped_plate.csv");
+const REFERENCE: &str = include_str!("../../data/clamped_plate.csv");
 const STEP: f64 = 0.025;
 const DEPTHS: usize = 20;
 

@@ -38,8 +38,8 @@ const FREEZES_AT: f64 = 0.4;
 /// The fastest particle goes at most this share of a spacing between two steps of heat.
 const LARGEST_MOVE: f64 = 0.25;
 
-/// A melt particle this many spacings above the top face has left the pool.
-const FARTHEST_ABOVE: f64 = 3.0;
+/// A melt particle this many spacings outside the part has left it.
+const FARTHEST_OUTSIDE: f64 = 3.0;
 
 /// The melt of a scene.
 pub struct Flow {
@@ -47,6 +47,8 @@ pub struct Flow {
     state: State,
     curve: EnthalpyCurve,
     spacing: f64,
+    /// Low and high corner of the part \[m\].
+    bounds: [Vector3<f64>; 2],
     /// Artificial speed of sound \[m/s\].
     sound_speed: f64,
     temperatures: Vec<f64>,
@@ -76,6 +78,7 @@ impl Flow {
             state: State::at_rest(count, density),
             curve: model.curves[0].clone(),
             spacing,
+            bounds: [workpiece.low.into(), workpiece.high.into()],
             sound_speed,
             temperatures: vec![0.0; count],
         })
@@ -96,16 +99,15 @@ impl Flow {
 
     fn problem(&self, particles: &Particles<3>, time: f64) -> Option<Failure> {
         let wrong = |&i: &usize| {
-            let position = particles.position[i];
-            !position.iter().all(|x| x.is_finite()) || position.z > FARTHEST_ABOVE * self.spacing
+            let [below, above] =
+                [self.bounds[0] - particles.position[i], particles.position[i] - self.bounds[1]];
+            let outside = below.max().max(above.max());
+            !particles.position[i].iter().all(|x| x.is_finite()) || outside > FARTHEST_OUTSIDE * self.spacing
         };
         let at = (0..particles.len()).find(wrong)?;
         let finite = particles.position[at].iter().all(|x| x.is_finite());
-        let what = if finite {
-            "melt has left the pool upwards"
-        } else {
-            "the melt's positions are no numbers any more"
-        };
+        let what =
+            if finite { "melt has left the part" } else { "the melt's positions are no numbers any more" };
         Some(Failure {
             physics: "flow",
             what: what.into(),
