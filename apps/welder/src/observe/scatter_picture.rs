@@ -138,15 +138,32 @@ fn draw_axes(
         .bold_line_style(BLACK.mix(0.12))
         .x_desc(x_label)
         .y_desc(y_label)
+        .x_label_formatter(&|value| decade(*value))
+        .y_label_formatter(&|value| decade(*value))
         .label_style((FONT, SMALL))
         .axis_desc_style((FONT, MEDIUM))
         .draw()?;
     Ok(chart.plotting_area().get_pixel_range())
 }
 
+/// A power of ten, which the axis knows but for round-off.
+fn decade(value: f64) -> String {
+    let exponent = value.log10().round() as i32;
+    match exponent {
+        -3..=4 => format!("{}", 10f64.powi(exponent)),
+        _ => format!("1e{exponent}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn labels_are_whole_decades() {
+        let labels = [9.999_999_999e-6, 1e-3, 0.1, 1.0, 1_000.000_000_1, 1e7].map(decade);
+        assert_eq!(labels, ["1e-5", "0.001", "0.1", "1", "1000", "1e7"]);
+    }
 
     #[test]
     fn axes_hold_every_point_in_whole_decades() {
