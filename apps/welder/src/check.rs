@@ -149,7 +149,7 @@ fn stress_line(model: &Model, workpiece: &Workpiece) -> Result<Option<String>, M
 fn power_lines(model: &Model) -> Option<String> {
     let laser = model.laser.as_ref()?;
     let (low, high) = model.bounds();
-    let mirrored = crate::physics::heat::mirrored(model);
+    let mirrored = model.mirrored();
     let grow = |axis: usize, side: usize| if mirrored[axis][side] { high[axis] - low[axis] } else { 0.0 };
     let face = laser_source::Rectangle {
         x_min_m: low[0] - grow(0, 0),

@@ -1,9 +1,11 @@
 //! The case as the engine takes it: numbers and curves instead of names and cards.
 
-use crate::case::scene::{EnthalpyCurve as CurveChoice, Faces, Flow, Heat, Resolution, Stress, Weights};
+use crate::case::scene::{
+    EnthalpyCurve as CurveChoice, Face, Faces, Flow, Heat, Resolution, Stress, Weights,
+};
 use crate::case::{Case, MaterialCard, Property};
 use laser_source::LaserSource;
-use sph_fluid::SurfaceTension;
+use sph_fluid::{SurfaceTension, artificial_sound_speed};
 use sph_solid::{IsotropicModuli, ThermalExpansion, YieldStress};
 use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
 use std::sync::Arc;
@@ -64,13 +66,17 @@ impl FlowModel {
     pub fn sound_speed(&self, model: &Model) -> f64 {
         let density = model.materials[0].density;
         let radius = model.laser.as_ref().map_or(0.5 * model.size[2], |laser| laser.beam().radius_m());
-        let capillary = (self.tension.reference() / (density * radius)).sqrt();
-        let stress = self.tension.slope().abs() * EXPECTED_EXCESS;
-        let layer = (stress * stress / (density * self.viscosity * radius)).cbrt();
-        let friction = 0.15 * stress / self.viscosity;
-        let expected = 10.0 * capillary.max(layer.min(friction));
+        let pull = self.tension.slope().abs() * EXPECTED_EXCESS;
+        let speed = marangoni_speed(pull, density, self.viscosity, radius);
+        let expected = artificial_sound_speed(speed, density, self.tension.reference(), radius, 0.0);
         self.settings.sound_speed_m_s.unwrap_or(expected)
     }
+}
+
+/// Speed \[m/s\] of a surface that a change of tension `pull` \[N/m\] over a `radius` \[m\] drives: that of its boundary layer,
+/// (pull^2/(rho eta R))^(1/3) (Ostrach 1982), or, where friction rules, of a Stokes flow in a half-sphere, 0.15 pull/eta.
+pub fn marangoni_speed(pull: f64, density: f64, viscosity: f64, radius: f64) -> f64 {
+    (pull * pull / (density * viscosity * radius)).cbrt().min(0.15 * pull / viscosity)
 }
 
 /// Stress as the engine takes it.
@@ -159,6 +165,13 @@ impl Model {
     pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
         let [x, y] = self.low_corner;
         ([x, y, -self.size[2]], [x + self.size[0], y + self.size[1], 0.0])
+    }
+
+    /// Which of the low and high faces of x and y are symmetry planes.
+    pub fn mirrored(&self) -> [[bool; 2]; 2] {
+        let faces = &self.faces;
+        [[faces.x_min, faces.x_max], [faces.y_min, faces.y_max]]
+            .map(|axis| axis.map(|face| face == Face::Symmetry))
     }
 
     /// Number of finest cells along each axis.

@@ -55,65 +55,50 @@ fn same_results(one: &Path, other: &Path) {
     }
 }
 
-#[test]
-fn stress_is_the_same_on_two_threads_and_after_a_stop() {
+/// Runs a small spot with `settings` on one thread and on two, and with a stop at each of two times: all the same. Looks at what
+/// came out.
+fn the_same_however_it_is_run(settings: &[&str], stops: [&str; 2], look: impl Fn(&Path)) {
     let folder = tempfile::tempdir().unwrap();
     let [whole, two, halves] = ["whole", "two", "halves"].map(|name| folder.path().join(name));
-    let small = [
-        "--set",
-        "part.size_m=(1.2e-3,1.2e-3,0.6e-3)",
-        "--set",
-        "laser.path.pulse.duration_s=0.002",
-        "--set",
-        "time.end_s=0.003",
-        "--set",
-        "physics=[Heat(),Stress(crossings: 0.3)]",
-    ];
-    let run = |out: &Path, more: &[&str]| code(&welder(out, &[&small, more].concat()));
+    let small = ["part.size_m=(1.2e-3,1.2e-3,0.6e-3)"];
+    let settings: Vec<&str> = small.iter().chain(settings).flat_map(|setting| ["--set", setting]).collect();
+    let run = |out: &Path, more: &[&str]| code(&welder(out, &[settings.as_slice(), more].concat()));
     assert_eq!(run(&whole, &["--threads", "1"]), 0);
     assert_eq!(run(&two, &["--threads", "2"]), 0);
     same_results(&whole, &two);
-    for until in ["0.0011", "0.0023"] {
+    for until in stops {
         assert_eq!(run(&halves, &["--until", until]), 0);
         assert_eq!(run(&halves, &["--resume"]), 0);
         same_results(&whole, &halves);
     }
-    let stress = result(&whole).stress.expect("it is computed");
-    assert!(stress.max_von_mises_pa > 1e7 && stress.max_plastic_strain > 1e-3, "{stress:?}");
-    assert!(whole.join("stress_x.png").exists() && whole.join("residual_stress_y.png").exists());
+    look(&whole);
+}
+
+#[test]
+fn stress_is_the_same_on_two_threads_and_after_a_stop() {
+    let settings =
+        ["laser.path.pulse.duration_s=0.002", "time.end_s=0.003", "physics=[Heat(),Stress(crossings: 0.3)]"];
+    the_same_however_it_is_run(&settings, ["0.0011", "0.0023"], |whole| {
+        let stress = result(whole).stress.expect("it is computed");
+        assert!(stress.max_von_mises_pa > 1e7 && stress.max_plastic_strain > 1e-3, "{stress:?}");
+        assert!(whole.join("stress_x.png").exists() && whole.join("residual_stress_y.png").exists());
+    });
 }
 
 #[test]
 fn flow_is_the_same_on_two_threads_and_after_a_stop() {
-    let folder = tempfile::tempdir().unwrap();
-    let [whole, two, halves] = ["whole", "two", "halves"].map(|name| folder.path().join(name));
-    let small = [
-        "--set",
-        "part.size_m=(1.2e-3,1.2e-3,0.6e-3)",
-        "--set",
+    let settings = [
         "part.low_corner_m=(-0.6e-3,-0.6e-3)",
-        "--set",
         "part.start_k=700.0",
-        "--set",
         "part.faces=()",
-        "--set",
         "laser.path.pulse.duration_s=0.0008",
-        "--set",
         "time.end_s=0.0012",
-        "--set",
         "physics=[Heat(),Flow(viscosity_factor: 20.0)]",
     ];
-    let run = |out: &Path, more: &[&str]| code(&welder(out, &[&small, more].concat()));
-    assert_eq!(run(&whole, &["--threads", "1"]), 0);
-    assert_eq!(run(&two, &["--threads", "2"]), 0);
-    same_results(&whole, &two);
-    for until in ["0.0005", "0.0009"] {
-        assert_eq!(run(&halves, &["--until", until]), 0);
-        assert_eq!(run(&halves, &["--resume"]), 0);
-        same_results(&whole, &halves);
-    }
-    let numbers = result(&whole).numbers;
-    assert!(numbers["reynolds"] > 0.1 && numbers["mach"] < 0.2, "{numbers:?}");
+    the_same_however_it_is_run(&settings, ["0.0005", "0.0009"], |whole| {
+        let numbers = result(whole).numbers;
+        assert!(numbers["reynolds"] > 0.1 && numbers["mach"] < 0.2, "{numbers:?}");
+    });
 }
 
 #[test]

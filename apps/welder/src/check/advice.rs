@@ -3,7 +3,7 @@
 use super::estimates::{Scales, coupling, radiation_coefficient};
 use crate::case::scene::Face;
 use crate::case::{Case, MaterialCard};
-use crate::model::Model;
+use crate::model::{Model, marangoni_speed};
 use crate::run::solid_scales;
 use laser_source::Beam;
 
@@ -150,8 +150,7 @@ fn movement(scales: &Scales) -> Option<String> {
     })
 }
 
-/// Heat that Marangoni flow carries over heat that is conducted, v w/a, with the speed of a surface layer,
-/// (tau_T^2 dT^2/(rho eta w))^(1/3) (Ostrach 1982), at most that of a flow that friction rules.
+/// Heat that Marangoni flow carries over heat that is conducted, v w/a, by [`marangoni_speed`].
 fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Scales) -> String {
     let (Some(viscosity), Some(slope)) = (&card.viscosity_pa_s, &card.surface_tension_slope_n_m_k) else {
         let text = "not judged: the card lacks viscosity_pa_s or surface_tension_slope_n_m_k";
@@ -164,8 +163,7 @@ fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Sca
         return told(Some(false), "flow", "nothing melts".into());
     }
     let (pull, density) = (slope.value.abs() * excess, material.density);
-    let layer = (pull * pull / (density * viscosity.value * scales.radius)).cbrt();
-    let speed = layer.min(0.15 * pull / viscosity.value);
+    let speed = marangoni_speed(pull, density, viscosity.value, scales.radius);
     let liquid = material.heat_capacity_liquid.at(material.liquidus);
     let peclet = speed * scales.radius * density * liquid / material.conductivity(material.liquidus);
     let listed = case.scene.flow().is_some();

@@ -6,6 +6,8 @@ use crate::model::Model;
 use crate::observe::{
     Energy, Pool, PoolSize, Status, StressEnd, Summary, Weld, peak_memory_bytes, process_cpu_s,
 };
+use crate::physics::flow::SMOOTHING_RATIO;
+use sph_fluid::equivalent_viscosity;
 use std::collections::BTreeMap;
 
 /// The summary of a run that took `wall_s`, of which `setup_s` before its first step.
@@ -75,7 +77,7 @@ fn sizes(extent: &Extent) -> PoolSize {
 }
 
 /// Dimensionless numbers of the flow, with the largest speed v of the run, half the pool's largest width R and its largest
-/// excess dT over the liquidus: reynolds rho v R/eta, cell_reynolds rho v dx/eta, mach v/c of the artificial sound,
+/// excess dT over the liquidus: friction_by_numerics, what artificial viscosity adds to eta, over eta; with eta alone reynolds rho v R/eta, cell_reynolds rho v dx/eta, mach v/c of the artificial sound,
 /// marangoni |tau_T| dT R rho c_p/(eta k), weber rho v^2 R/tau.
 fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
     let (model, records) = (simulation.model(), simulation.records());
@@ -86,10 +88,14 @@ fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
     let excess = records.peak_temperature - material.liquidus;
     let diffusivity = material.conductivity(material.liquidus)
         / (material.density * material.heat_capacity_liquid.at(material.liquidus));
+    let sound = flow.sound_speed(model);
+    let length = SMOOTHING_RATIO * model.spacing();
+    let added = equivalent_viscosity::<3>(length, sound, flow.settings.artificial_viscosity);
     let numbers = [
+        ("friction_by_numerics", material.density * added / flow.viscosity),
         ("reynolds", inertia * radius),
         ("cell_reynolds", inertia * model.spacing()),
-        ("mach", speed / simulation.sound_speed().unwrap_or(f64::NAN)),
+        ("mach", speed / sound),
         ("marangoni", flow.tension.slope().abs() * excess * radius / (flow.viscosity * diffusivity)),
         ("weber", material.density * speed * speed * radius / flow.tension.reference()),
     ];

@@ -137,6 +137,7 @@ impl Simulation {
     fn record(&mut self, start: f64, step: f64) {
         let before = self.records.now.over_solidus;
         let now = self.gauge.measure(&self.model, &self.workpiece.particles, self.time, step);
+        let flow = if self.model.flow.is_some() { self.mechanics() } else { None };
         let records = &mut self.records;
         if before > 0.0 && now.over_solidus <= 0.0 {
             records.solidified_at = Some(start + step * before / (before - now.over_solidus));
@@ -147,11 +148,7 @@ impl Simulation {
         records.solidus = records.solidus.max(&now.solidus);
         records.peak_temperature = records.peak_temperature.max(now.peak_temperature);
         records.now = now;
-        if self.model.flow.is_some() {
-            let speed =
-                self.physics.iter().filter_map(|physics| physics.mechanics()).map(|m| m.largest_speed);
-            records.largest_speed = speed.fold(records.largest_speed, f64::max);
-        }
+        records.largest_speed = flow.map_or(0.0, |flow| flow.largest_speed).max(records.largest_speed);
     }
 
     /// Whether there is nothing left to do.
@@ -223,14 +220,9 @@ impl Simulation {
         total
     }
 
-    /// Stress and deformation now, where the scene computes them.
+    /// Flow, stress and deformation now, where the scene computes them.
     pub fn mechanics(&self) -> Option<Mechanics> {
         self.physics.iter().find_map(|physics| physics.mechanics())
-    }
-
-    /// Artificial speed of sound of the melt \[m/s\], where it flows.
-    pub fn sound_speed(&self) -> Option<f64> {
-        self.model.flow.as_ref().map(|flow| flow.sound_speed(&self.model))
     }
 
     /// Columns that physics have of their own, by name with unit; to be shown.

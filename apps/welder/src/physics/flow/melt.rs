@@ -11,6 +11,9 @@ use sph_neighbors::{NeighborList, PairReach, SearchMethod};
 /// Share of the spacing that two particles may close in by before the list is made anew.
 const SKIN: f64 = 0.4;
 
+/// A melt that asks for steps below this share of what its sound allows at rest has run wild.
+const SHORTEST_STEP: f64 = 1e-3;
+
 /// Melt, and the solid that it can reach.
 pub(super) struct Melt {
     controls: FluidControls<3>,
@@ -55,17 +58,16 @@ impl Melt {
         self.controls.state.reference_density()
     }
 
-    /// Moves the melt of `particles` over `step` \[s\] at the given temperatures \[K\].
+    /// Moves the melt of `particles` over `step` \[s\] at the given temperatures \[K\]; says whether it got there.
     pub fn advance(
         &mut self,
         particles: &mut Particles<3>,
         state: &mut State,
         temperatures: &[f64],
         step: f64,
-    ) {
-        state.particle_mass = particles.mass.first().copied().unwrap_or(0.0);
+    ) -> bool {
         if !state.any_molten() {
-            return;
+            return true;
         }
         self.gather(particles, state, temperatures);
         // A sweep remembers the surface of its last evaluation: a fresh one begins with none, in a resumed run as in a whole one.
@@ -75,6 +77,9 @@ impl Melt {
         let mut left = step;
         while left > 0.0 {
             let longest = self.longest_step();
+            if longest < self.shortest_step() {
+                break;
+            }
             let count = (left / longest).ceil();
             let dt = left / count;
             self.kick(0.5 * dt);
@@ -87,6 +92,7 @@ impl Melt {
             left = if count > 1.0 { left - dt } else { 0.0 };
         }
         self.scatter(particles, state);
+        left == 0.0
     }
 
     /// Takes melt, and solid in its reach, out of the scene.
@@ -163,6 +169,11 @@ impl Melt {
         self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
         state.cost.sweeps += 2;
         state.cost.pair_visits += 2 * list.starts()[self.fluid] as u64;
+    }
+
+    fn shortest_step(&self) -> f64 {
+        let (kernel, sound) = (&self.controls.kernel, self.controls.state.reference_sound_speed());
+        SHORTEST_STEP * acoustic_step(kernel.smoothing_length(), sound, 0.0)
     }
 
     /// The shortest of the limits of sound, viscosity, tension and force \[s\].

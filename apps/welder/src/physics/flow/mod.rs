@@ -20,7 +20,7 @@ use sph_thermal::phase::EnthalpyCurve;
 use state::State;
 
 /// Smoothing length over spacing that the constants of the free surface are made for.
-const SMOOTHING_RATIO: f64 = 1.5;
+pub const SMOOTHING_RATIO: f64 = 1.5;
 
 /// Density diffusion of the melt.
 const DENSITY_DIFFUSION: f64 = 0.1;
@@ -47,6 +47,8 @@ pub struct Flow {
     state: State,
     curve: EnthalpyCurve,
     spacing: f64,
+    /// Mass of a particle: one material and one spacing \[kg\].
+    mass: f64,
     /// Low and high corner of the part \[m\].
     bounds: [Vector3<f64>; 2],
     /// Artificial speed of sound \[m/s\].
@@ -78,6 +80,7 @@ impl Flow {
             state: State::at_rest(count, density),
             curve: model.curves[0].clone(),
             spacing,
+            mass: density * spacing.powi(3),
             bounds: [workpiece.low.into(), workpiece.high.into()],
             sound_speed,
             temperatures: vec![0.0; count],
@@ -97,23 +100,30 @@ impl Flow {
         }
     }
 
-    fn problem(&self, particles: &Particles<3>, time: f64) -> Option<Failure> {
-        let wrong = |&i: &usize| {
+    /// What keeps the run from going on: melt outside the part, or too wild to be `stepped`.
+    fn problem(&self, particles: &Particles<3>, time: f64, stepped: bool) -> Option<Failure> {
+        let finite = |i: usize| particles.position[i].iter().all(|x| x.is_finite());
+        let outside = |&i: &usize| {
             let [below, above] =
                 [self.bounds[0] - particles.position[i], particles.position[i] - self.bounds[1]];
-            let outside = below.max().max(above.max());
-            !particles.position[i].iter().all(|x| x.is_finite()) || outside > FARTHEST_OUTSIDE * self.spacing
+            !finite(i) || below.max().max(above.max()) > FARTHEST_OUTSIDE * self.spacing
         };
-        let at = (0..particles.len()).find(wrong)?;
-        let finite = particles.position[at].iter().all(|x| x.is_finite());
-        let what =
-            if finite { "melt has left the part" } else { "the melt's positions are no numbers any more" };
+        let speed = |i: &usize| self.state.velocities[*i].norm_squared();
+        let all = 0..particles.len();
+        let fastest = || all.clone().max_by(|i, j| speed(i).total_cmp(&speed(j)));
+        let at = all.clone().find(outside).or_else(|| if stepped { None } else { fastest() })?;
+        let what = match (finite(at), stepped) {
+            (false, _) => "the melt's positions are no numbers any more",
+            (true, true) => "melt has left the part",
+            (true, false) => "the melt has become too fast, or its forces too strong, to be stepped",
+        };
         Some(Failure {
             physics: "flow",
             what: what.into(),
             time,
-            at: finite.then(|| particles.position[at].into()),
-            advice: "try a larger viscosity_factor or sound_speed_m_s, more artificial_viscosity, or a finer spacing".into(),
+            at: finite(at).then(|| particles.position[at].into()),
+            advice: "try a larger viscosity_factor or sound_speed_m_s, more artificial_viscosity, or a finer spacing"
+                .into(),
         })
     }
 }
@@ -140,8 +150,8 @@ impl Physics<3> for Flow {
         for (temperature, &enthalpy) in self.temperatures.iter_mut().zip(&particles.enthalpy) {
             *temperature = self.curve.temperature(enthalpy);
         }
-        self.melt.advance(particles, &mut self.state, &self.temperatures, step);
-        match self.problem(particles, time + step) {
+        let stepped = self.melt.advance(particles, &mut self.state, &self.temperatures, step);
+        match self.problem(particles, time + step, stepped) {
             Some(failure) => Err(failure),
             None => Ok(step),
         }
@@ -161,7 +171,7 @@ impl Physics<3> for Flow {
 
     fn mechanics(&self) -> Option<Mechanics> {
         let squares = self.state.velocities.iter().map(Vector3::norm_squared);
-        let kinetic = 0.5 * self.state.particle_mass * squares.sum::<f64>();
+        let kinetic = 0.5 * self.mass * squares.sum::<f64>();
         Some(Mechanics { kinetic, largest_speed: self.state.largest_speed(), ..Mechanics::default() })
     }
 

@@ -15,8 +15,6 @@ pub(super) struct State {
     pub densities: Vec<f64>,
     /// Pressures at the last step; zero where nothing flows \[Pa\].
     pub pressures: Vec<f64>,
-    /// Mass of a particle \[kg\].
-    pub particle_mass: f64,
     /// Work so far.
     pub cost: Cost,
 }
@@ -28,7 +26,6 @@ struct Saved {
     velocities: Vec<[f64; 3]>,
     densities: Vec<f64>,
     pressures: Vec<f64>,
-    particle_mass: f64,
     cost: Cost,
 }
 
@@ -40,7 +37,6 @@ impl State {
             velocities: vec![Vector3::zeros(); count],
             densities: vec![density; count],
             pressures: vec![0.0; count],
-            particle_mass: 0.0,
             cost: Cost::default(),
         }
     }
@@ -62,7 +58,6 @@ impl State {
             velocities: self.velocities.iter().map(|&velocity| velocity.into()).collect(),
             densities: self.densities.clone(),
             pressures: self.pressures.clone(),
-            particle_mass: self.particle_mass,
             cost: self.cost,
         };
         postcard::to_stdvec(&saved).expect("numbers and columns always serialise")
@@ -85,7 +80,6 @@ impl State {
             velocities: saved.velocities.into_iter().map(Vector3::from).collect(),
             densities: saved.densities,
             pressures: saved.pressures,
-            particle_mass: saved.particle_mass,
             cost: saved.cost,
         })
     }

@@ -78,7 +78,7 @@ impl Heat {
         };
         let faces = FaceExchange::new(model, workpiece, &rows)?;
         let deposit = match &model.laser {
-            Some(laser) => Some(Deposit::new(laser, workpiece, &rows, mirrored(model))?),
+            Some(laser) => Some(Deposit::new(laser, workpiece, &rows, model.mirrored())?),
             None => None,
         };
         let largest_slope =
@@ -420,13 +420,6 @@ fn operator(
         },
         moving,
     }
-}
-
-/// Which of the low and high faces of x and y are symmetry planes.
-pub fn mirrored(model: &Model) -> [[bool; 2]; 2] {
-    let faces = &model.faces;
-    [[faces.x_min, faces.x_max], [faces.y_min, faces.y_max]]
-        .map(|axis| axis.map(|face| face == Face::Symmetry))
 }
 
 /// The kernel of a scene.

@@ -3,7 +3,6 @@
 
 use crate::build::{Workpiece, planes};
 use crate::model::{Model, StressModel};
-use crate::physics::heat::mirrored;
 use nalgebra::Vector3;
 use sph_thermal::conduction::{Images, Parity, Planes};
 
@@ -70,7 +69,7 @@ impl Copies {
 fn continuations(model: &Model, stress: &StressModel) -> [[Continuation; 2]; 3] {
     let clamped = stress.settings.clamped;
     let held = [[clamped.x_min, clamped.x_max], [clamped.y_min, clamped.y_max], [clamped.bottom, false]];
-    let mirrored = mirrored(model);
+    let mirrored = model.mirrored();
     std::array::from_fn(|axis| {
         std::array::from_fn(|end| {
             if held[axis][end] {

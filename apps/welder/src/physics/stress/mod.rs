@@ -32,6 +32,9 @@ const SMOOTHING_RATIO: f64 = 0.8;
 /// Velocities fade by this rate, in wave speeds over lengths of the part: near the critical damping of the slowest waves.
 const FADING: f64 = 2.0;
 
+/// A displacement above this many spacings is none of a body that warms and cools.
+const LARGEST_DISPLACEMENT: f64 = 100.0;
+
 /// Particles to a piece of work.
 const PIECE: usize = 2048;
 
@@ -144,13 +147,13 @@ impl Stress {
 
     /// Accelerations at the present displacements and the temperatures of the stage in hand.
     fn accelerate(&mut self) {
-        let State { displacements, strains, equivalents, cost, .. } = &mut self.state;
+        let State { displacements, strains, equivalents, .. } = &mut self.state;
         self.copies.reflect(displacements);
         let motion = Motion { displacements, velocities: &[], temperatures: &self.temperatures };
         let mut inelastic = Inelastic { strains, equivalents };
         self.body.accelerations(&motion, &mut inelastic, &mut self.accelerations);
-        cost.sweeps += 2;
-        cost.pair_visits += 4 * self.body.stored_pairs() as u64;
+        self.state.cost.sweeps += 2;
+        self.state.cost.pair_visits += self.pairs() as u64;
     }
 
     /// Temperatures a `share` of the way from the last step's end to this one's.
@@ -173,11 +176,11 @@ impl Stress {
     /// What keeps the run from going on: a displacement that is no number, or so large that it cannot be elastic.
     fn problem(&self, particles: &Particles<3>, time: f64, spacing: f64) -> Option<Failure> {
         let owned = &self.state.displacements[..particles.len()];
-        let wild = |u: &&Vector3<f64>| {
+        let wild = |u: &Vector3<f64>| {
             let farthest = u.amax();
             !farthest.is_finite() || farthest > LARGEST_DISPLACEMENT * spacing
         };
-        let at = owned.iter().position(|u| wild(&u))?;
+        let at = owned.iter().position(wild)?;
         Some(Failure {
             physics: "stress",
             what: format!("a particle has moved by {:.2e} m", owned[at].norm()),
@@ -187,9 +190,6 @@ impl Stress {
         })
     }
 }
-
-/// A displacement above this many spacings is none of a body that warms and cools.
-const LARGEST_DISPLACEMENT: f64 = 100.0;
 
 impl Physics<3> for Stress {
     fn name(&self) -> &'static str {
@@ -280,7 +280,7 @@ impl Physics<3> for Stress {
 
 /// Longest side of the whole part, mirror image counted \[m\].
 fn largest_extent(model: &Model) -> f64 {
-    let mirrored = crate::physics::heat::mirrored(model);
+    let mirrored = model.mirrored();
     let whole = |axis: usize| {
         let doubled = mirrored.get(axis).is_some_and(|ends| ends[0] || ends[1]);
         if doubled { 2.0 * model.size[axis] } else { model.size[axis] }
