@@ -209,3 +209,33 @@ impl Melt {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sph_fluid::Tait;
+    use sph_kernel::KernelKind;
+
+    /// Whether a small cube of melt, all at the `speed` \[m/s\] along x, gets through a step.
+    fn gets_there(speed: f64) -> bool {
+        let spacing = 1e-4;
+        let kernel = KernelKind::WendlandC2.with_smoothing_length(1.5 * spacing);
+        let controls = FluidControls::new(kernel, Tait::new(2500.0, 10.0, 7.0).unwrap());
+        let place = |k: usize| Vector3::new(k % 4, k / 4 % 4, k / 16).map(|x| x as f64 * spacing);
+        let mut particles = Particles::<3> {
+            position: (0..64).map(place).collect(),
+            mass: vec![2500.0 * spacing.powi(3); 64],
+            ..Particles::default()
+        };
+        let mut state = State::at_rest(64, 2500.0);
+        state.molten.fill(true);
+        state.velocities.fill(Vector3::new(speed, 0.0, 0.0));
+        Melt::new(controls, spacing).unwrap().advance(&mut particles, &mut state, &[1000.0; 64], 1e-5)
+    }
+
+    #[test]
+    fn melt_that_has_run_wild_is_not_stepped_for_ever() {
+        assert!(gets_there(1.0));
+        assert!(!gets_there(1e6) && !gets_there(f64::INFINITY));
+    }
+}
