@@ -1,8 +1,6 @@
 //! The case as the engine takes it: numbers and curves instead of names and cards.
 
-use crate::case::scene::{
-    EnthalpyCurve as CurveChoice, Face, Faces, Flow, Heat, Resolution, Stress, Weights,
-};
+use crate::case::scene::{EnthalpyCurve as CurveChoice, Face, Faces, Flow, Heat, Resolution, Stress};
 use crate::case::{Case, MaterialCard, Property};
 use laser_source::LaserSource;
 use sph_fluid::{SurfaceTension, artificial_sound_speed};
@@ -125,10 +123,7 @@ impl Model {
     /// [`ModelError`] when a material is refused by the thermal crate.
     pub fn from_case(case: &Case) -> Result<Self, ModelError> {
         let scene = &case.scene;
-        let mut heat = scene.heat().copied().unwrap_or_default();
-        if scene.flow().is_some() {
-            heat.weights = Weights::Normalized;
-        }
+        let heat = scene.heat().copied().unwrap_or_default();
         let materials: Vec<_> =
             case.materials.iter().map(|material| thermal(&material.card)).collect::<Result<_, _>>()?;
         let curves =

@@ -209,6 +209,34 @@ fn the_matrix_equals_the_rows_on_lattice_jump_and_disorder() {
 }
 
 #[test]
+fn rows_replaced_one_by_one_conduct_as_rows_of_the_new_places() {
+    let planes = Planes::adiabatic_box([0.0; 3], [1.6; 3]);
+    let (position, spacing) = lattice([11, 8, 7], 0.1, 0.0);
+    let before = Body::new(position, spacing.clone(), &planes, 1.0).pairs().normalized();
+    let (position, _) = lattice([11, 8, 7], 0.1, 0.2);
+    let after = Body::new(position, spacing, &planes, 1.0).pairs().normalized();
+    let (mut rows, mut matrix) = (before.clone(), ConductionMatrix::new(&before));
+    // Once to the new places and once more, where there is room already; last to the first ones, whose rows are shorter.
+    for target in [&after, &after, &before] {
+        for i in 0..rows.particles() {
+            let (neighbors, weights) = target.row(i);
+            let entries: Vec<_> = neighbors.iter().copied().zip(weights.iter().copied()).collect();
+            rows.replace_row(i, &entries);
+        }
+        (0..matrix.chunks()).for_each(|chunk| matrix.replace_chunk(&rows, chunk));
+        let mut theta: Vec<f64> = (0..rows.particles()).map(|i| noise(i as u64)).collect();
+        let expected = target.heat(&theta);
+        assert_eq!(rows.heat(&theta), expected);
+        assert_eq!([rows.pairs(), matrix.pairs()], [target.pairs(); 2]);
+        theta.resize(matrix.padded_len(), 0.0);
+        for (i, expected) in expected.iter().enumerate() {
+            let found = matrix.chunk_heat(i / 8, &theta)[i % 8];
+            assert!((found - expected).abs() < 1e-13, "row {i}: {found} against {expected}");
+        }
+    }
+}
+
+#[test]
 fn joints_are_taken_out_once_each() {
     let (position, spacing) = lattice([6, 3, 3], 0.1, 0.0);
     let body = Body::new(position, spacing, &Planes::adiabatic_box([0.0; 3], [0.6, 0.3, 0.3]), 0.7);

@@ -7,5 +7,5 @@ mod workpiece;
 
 pub use fine_box::{fine_box_around, largest_melt_radius, lit_box, margin};
 pub use levels::{Cell, CellBox, LevelPlan};
-pub use pairs::{Neighborhood, PairReport, conduction_rows};
+pub use pairs::{Members, Neighborhood, PairReport, conduction_rows, mirrors, pair_table, smoothing_ratio};
 pub use workpiece::{Workpiece, planes};

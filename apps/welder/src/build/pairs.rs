@@ -25,7 +25,52 @@ pub struct PairReport {
     pub fit: Option<FitReport>,
 }
 
-/// Who is near whom in a workpiece, mirror images included.
+/// Some particles of a workpiece, numbered from zero in rising order.
+#[derive(Debug, Clone)]
+pub struct Members {
+    indices: Vec<u32>,
+}
+
+impl Members {
+    /// All `count` particles.
+    pub fn all(count: usize) -> Self {
+        Self { indices: (0..count as u32).collect() }
+    }
+
+    /// Those in the box from `low` to `high` \[m\].
+    pub fn within(positions: &[Vector3<f64>], low: Vector3<f64>, high: Vector3<f64>) -> Self {
+        let inside = |x: &Vector3<f64>| (0..3).all(|axis| x[axis] >= low[axis] && x[axis] <= high[axis]);
+        let indices = (0..positions.len() as u32).filter(|&i| inside(&positions[i as usize]));
+        Self { indices: indices.collect() }
+    }
+
+    /// Their indices in the workpiece.
+    pub fn indices(&self) -> &[u32] {
+        &self.indices
+    }
+
+    /// How many they are.
+    pub fn len(&self) -> usize {
+        self.indices.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.indices.is_empty()
+    }
+
+    /// The number among them of a particle of the workpiece.
+    pub fn find(&self, particle: usize) -> Option<usize> {
+        self.indices.binary_search(&(particle as u32)).ok()
+    }
+
+    /// Their entries of a column.
+    pub fn gather<T: Copy>(&self, column: &[T]) -> Vec<T> {
+        self.indices.iter().map(|&i| column[i as usize]).collect()
+    }
+}
+
+/// Who is near whom among some particles of a workpiece, mirror images included.
 pub struct Neighborhood {
     /// Positions of the particles, then of the images \[m\].
     pub positions: Vec<Vector3<f64>>,
@@ -38,51 +83,67 @@ pub struct Neighborhood {
 }
 
 impl Neighborhood {
-    /// Finds the neighbours for the weights of a scene; an open `smoothing_ratio` is the default of weights and disorder:
-    /// the cheapest that holds its error (see the book's chapter on performance).
+    /// Finds the neighbours for the weights of a scene.
     ///
     /// # Errors
     /// [`ModelError`] when the neighbour search refuses the particles.
     pub fn new(
         workpiece: &Workpiece,
-        faces: &Faces,
-        weights: Weights,
+        planes: &Planes<3>,
+        members: &Members,
         kernel: KernelKind,
-        smoothing_ratio: Option<f64>,
+        ratio: f64,
     ) -> Result<Self, ModelError> {
-        let ratio = smoothing_ratio.unwrap_or_else(|| default_ratio(weights, workpiece.disorder));
-        let particles = &workpiece.particles;
         let support = Kernel::<3>::support_radius(kernel, 1.0) * ratio;
-        let reach_of = |spacing: &f64| support * spacing;
+        let spacings = members.gather(&workpiece.particles.spacing);
         let outside = image_reach(support, ratio, workpiece.disorder);
-        let farthest: Vec<f64> = particles.spacing.iter().map(|spacing| outside * spacing).collect();
-        let images = Images::new(&particles.position, &farthest, &mirrors(workpiece, faces, weights));
-        let mut positions = particles.position.clone();
+        let farthest: Vec<f64> = spacings.iter().map(|spacing| outside * spacing).collect();
+        let mut positions = members.gather(&workpiece.particles.position);
+        let images = Images::new(&positions, &farthest, planes);
         positions.extend_from_slice(&images.position);
-        let mut reach: Vec<f64> = particles.spacing.iter().map(reach_of).collect();
-        reach.extend(images.source.iter().map(|&source| reach_of(&particles.spacing[source as usize])));
+        let mut reach: Vec<f64> = spacings.iter().map(|spacing| support * spacing).collect();
+        reach.extend(images.source.iter().map(|&source| support * spacings[source as usize]));
         let rule = if ratio < NARROW { PairReach::Maximum(&reach) } else { PairReach::Mean(&reach) };
         let list = SearchMethod::default().find(&positions, rule)?;
         Ok(Self { positions, list, images, ratio })
     }
+
+    /// Neighbours of one of them; an image counts as its source.
+    pub fn row(&self, member: usize) -> impl Iterator<Item = usize> + '_ {
+        let owned = self.positions.len() - self.images.len();
+        let source =
+            move |end: usize| end.checked_sub(owned).map_or(end, |image| self.images.source[image] as usize);
+        self.list.row(member).iter().map(move |&end| source(end as usize))
+    }
 }
 
-/// Conduction rows of `workpiece` with the weights of the scene; `Auto` weights are fitted ones.
+/// The pairs of a neighbourhood with their base weights; `volumes` \[m³\] are the members'.
+///
+/// # Errors
+/// [`ModelError`] when the columns differ in length.
+pub fn pair_table<'a>(
+    workpiece: &Workpiece,
+    members: &Members,
+    neighborhood: &'a Neighborhood,
+    volumes: &'a [f64],
+    kernel: KernelKind,
+) -> Result<PairTable<'a, 3>, ModelError> {
+    let Neighborhood { positions, list, images, ratio } = neighborhood;
+    let spacing = |i: usize| workpiece.particles.spacing[members.indices[i] as usize];
+    let length = |i: usize, j: usize| ratio * pair_spacing(*ratio, spacing(i), spacing(j));
+    let factor = |i: usize, j: usize, r: f64| Kernel::<3>::gradient_factor(kernel, r, length(i, j));
+    Ok(PairTable::new(&positions[..members.len()], volumes, images, |i| list.row(i), factor)?)
+}
+
+/// Conduction rows with the weights of the scene; `Auto` weights are fitted ones.
 ///
 /// # Errors
 /// [`ModelError`] when the fit refuses the particles.
 pub fn conduction_rows(
-    workpiece: &Workpiece,
-    neighborhood: &Neighborhood,
+    pairs: &PairTable<'_, 3>,
+    ratio: f64,
     weights: Weights,
-    kernel: KernelKind,
 ) -> Result<(ConductionRows, PairReport), ModelError> {
-    let Neighborhood { list, images, ratio, .. } = neighborhood;
-    let particles = &workpiece.particles;
-    let length =
-        |i: usize, j: usize| ratio * pair_spacing(*ratio, particles.spacing[i], particles.spacing[j]);
-    let factor = |i: usize, j: usize, r: f64| Kernel::<3>::gradient_factor(kernel, r, length(i, j));
-    let pairs = PairTable::new(&particles.position, &particles.volume, images, |i| list.row(i), factor)?;
     let (rows, fit) = match weights {
         Weights::Plain => (pairs.plain(), None),
         Weights::Normalized | Weights::Moving => (pairs.normalized(), None),
@@ -91,14 +152,20 @@ pub fn conduction_rows(
             (rows, Some(report))
         }
     };
-    Ok((rows, PairReport { smoothing_ratio: *ratio, fit }))
+    Ok((rows, PairReport { smoothing_ratio: ratio, fit }))
+}
+
+/// Smoothing length over spacing of a scene that names none: the cheapest that holds its error with these weights and this
+/// disorder (see the book's chapter on performance).
+pub fn smoothing_ratio(named: Option<f64>, weights: Weights, disorder: f64) -> f64 {
+    named.unwrap_or_else(|| default_ratio(weights, disorder))
 }
 
 /// The planes that particles are mirrored in.
 ///
 /// The plain sum of Cleary and Monaghan (1999) ends at a free face, so that particles there miss half their neighbours;
 /// symmetry planes and faces of fixed temperature mirror for it too, because they have no other form.
-fn mirrors(workpiece: &Workpiece, faces: &Faces, weights: Weights) -> Planes<3> {
+pub fn mirrors(workpiece: &Workpiece, faces: &Faces, weights: Weights) -> Planes<3> {
     let mut planes = planes(workpiece.low, workpiece.high, faces);
     if weights == Weights::Plain {
         for (parity, (_, face)) in planes.parity.as_flattened_mut().iter_mut().zip(faces.named()) {

@@ -71,8 +71,13 @@ pub struct Gauge {
     now: Grid,
     peak: Grid,
     copies: f64,
+    /// Melt this many cells from the end of the finest grid is at its edge.
+    margin_cells: f64,
     scratch: Scratch,
 }
+
+/// Melt that flows sees three spacings far, and moves between two readings.
+const FLOWING_MARGIN_CELLS: f64 = 4.0;
 
 /// How far nodes of unlike materials have melted: (T - T_s)/(T_l - T_s) of each one's own.
 struct Melting {
@@ -140,6 +145,7 @@ impl Gauge {
             now: grid(0.0),
             peak: grid(f64::NEG_INFINITY),
             copies: f64::from(1u32 << mirrors),
+            margin_cells: if model.flow.is_some() { FLOWING_MARGIN_CELLS } else { 1.0 },
             scratch: Scratch::default(),
         })
     }
@@ -465,12 +471,13 @@ impl Gauge {
     /// Whether a region reaches an edge of the grid that is no face of the part.
     fn at_edge(&self, extent: &Extent) -> bool {
         let Some([low, high]) = extent.bounds else { return false };
+        let margin = self.spacing * self.margin_cells;
         let lateral = (0..2).any(|axis| {
             let end = self.low[axis] + self.spacing * self.counts[axis] as f64;
-            (low[axis] <= self.low[axis] + self.spacing && !self.face[axis][0])
-                || (high[axis] >= end - self.spacing && !self.face[axis][1])
+            (low[axis] <= self.low[axis] + margin && !self.face[axis][0])
+                || (high[axis] >= end - margin && !self.face[axis][1])
         });
-        let bottom = self.spacing * (self.counts[2] as f64 - 1.0);
+        let bottom = self.spacing * self.counts[2] as f64 - margin;
         lateral || (extent.depth >= bottom && !self.face[2][1])
     }
 

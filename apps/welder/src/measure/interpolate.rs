@@ -4,7 +4,7 @@
 //! (Lancaster and Salkauskas 1981), images included, so that a field that is quadratic near a node is read exactly; the
 //! weights of particles at rest are computed once.
 
-use crate::build::{Workpiece, planes};
+use crate::build::{Members, Workpiece, planes};
 use crate::case::scene::Faces;
 use nalgebra::{SMatrix, SVector, Vector3};
 use sph_neighbors::{PairReach, SearchMethod};
@@ -59,36 +59,53 @@ impl Sampler {
 fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {
     let particles = &workpiece.particles;
     let radius = RADIUS * workpiece.spacing;
-    let reach = vec![2.0 * radius; particles.len()];
-    let images = Images::new(&particles.position, &reach, &planes(workpiece.low, workpiece.high, faces));
     let [nx, ny, nz] = workpiece.finest.counts();
     let node = |n: usize| {
         let at = [n % nx, n / nx % ny, n / nx / ny];
         let x = |axis: usize| (workpiece.finest.low[axis] as f64 + at[axis] as f64 + 0.5) * workpiece.spacing;
         Vector3::new(workpiece.low[0] + x(0), workpiece.low[1] + x(1), -x(2))
     };
+    let own = |n: usize| workpiece.finest_particles[n];
     let count = nx * ny * nz;
-    let mut everything: Vec<_> = (0..count).map(node).collect();
-    everything.extend(particles.position.iter().chain(&images.position));
+    // Where a particle stands on its node, it speaks for it alone.
+    let stands =
+        |n: usize| (particles.position[own(n) as usize] - node(n)).norm() < ON_NODE * workpiece.spacing;
+    let open: Vec<usize> = (0..count).filter(|&n| !stands(n)).collect();
+    let mut everything: Vec<_> = open.iter().map(|&n| node(n)).collect();
+    let (low, high) = everything
+        .iter()
+        .fold((Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)), |(low, high), x| {
+            (low.inf(x), high.sup(x))
+        });
+    let margin = Vector3::repeat(radius);
+    let near = Members::within(&particles.position, low - margin, high + margin);
+    everything.extend(near.gather(&particles.position));
+    let reach = vec![2.0 * radius; near.len()];
+    let planes = planes(workpiece.low, workpiece.high, faces);
+    let images = Images::new(&everything[open.len()..], &reach, &planes);
+    everything.extend_from_slice(&images.position);
     let list = SearchMethod::default().find(&everything, PairReach::Uniform(radius));
     let list = list.expect("positions of a built workpiece are finite");
-    let source = |k: usize| if k < particles.len() { k as u32 } else { images.source[k - particles.len()] };
+    let source =
+        |k: usize| near.indices()[if k < near.len() { k } else { images.source[k - near.len()] as usize }];
     let (mut starts, mut entries) = (vec![0], Vec::new());
+    let mut opened = open.iter().enumerate().peekable();
     for n in 0..count {
-        // Where a particle stands on its node, it speaks for it alone.
-        let own = workpiece.finest_particles[n];
-        if (everything[count + own as usize] - everything[n]).norm() < ON_NODE * workpiece.spacing {
-            entries.push((own, 1.0));
-            starts.push(entries.len());
-            continue;
+        match opened.next_if(|(_, node)| **node == n) {
+            None => entries.push((own(n), 1.0)),
+            Some((row, _)) => {
+                let speakers = list.row(row).iter().map(|&k| k as usize).filter(|&k| k >= open.len());
+                let speakers: Vec<usize> = speakers.collect();
+                let offsets: Vec<_> =
+                    speakers.iter().map(|&k| (everything[k] - everything[row]) / radius).collect();
+                if speakers.is_empty() {
+                    // Nobody is left here: what stood here first speaks for its place.
+                    entries.push((own(n), 1.0));
+                }
+                let weighted = speakers.iter().zip(weights(&offsets));
+                entries.extend(weighted.map(|(&k, w)| (source(k - open.len()), w)));
+            }
         }
-        let near: Vec<usize> = list.row(n).iter().map(|&k| k as usize).filter(|&k| k >= count).collect();
-        let offsets: Vec<_> = near.iter().map(|&k| (everything[k] - everything[n]) / radius).collect();
-        if near.is_empty() {
-            // Nobody is left here: what stood here first speaks for its place.
-            entries.push((own, 1.0));
-        }
-        entries.extend(near.iter().zip(weights(&offsets)).map(|(&k, w)| (source(k - count), w)));
         starts.push(entries.len());
     }
     Sampler::Scattered { starts, entries }

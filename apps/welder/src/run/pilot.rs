@@ -30,10 +30,8 @@ pub fn level_plan(model: &Model, grown: f64) -> Result<LevelPlan<3>, ModelError>
         Levels::FineBox { low_m, high_m } => {
             Ok(LevelPlan::around(counts, explicit_box(model, low_m, high_m)))
         }
-        // A stressed body and a melt that flows take one spacing.
-        Levels::Auto if model.laser.is_none() || model.stress.is_some() || model.flow.is_some() => {
-            Ok(LevelPlan::uniform(counts))
-        }
+        // A stressed body takes one spacing.
+        Levels::Auto if model.laser.is_none() || model.stress.is_some() => Ok(LevelPlan::uniform(counts)),
         Levels::Auto => {
             let fine = fine_box_around(model, pool_bounds(model)?, margin(model) + grown);
             Ok(LevelPlan::around(counts, fine))
@@ -83,6 +81,8 @@ fn pilot_model(model: &Model) -> Option<Model> {
         return None;
     }
     let mut pilot = model.clone();
+    // What flow adds to the pool, the margin holds; where it does not, the run starts anew with a larger box.
+    pilot.flow = None;
     // Sizes are largest when the light goes out, or very soon after; loose steps find them well enough.
     let lit = model.laser.as_ref()?.track().end_time();
     pilot.end = model.end.min(PILOT_TIME * lit);

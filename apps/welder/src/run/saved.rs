@@ -90,13 +90,15 @@ impl Simulation {
                 let positions = self.workpiece.particles.position.iter_mut();
                 positions.zip(column).for_each(|(position, x)| position[axis] = x);
             }
-            self.rearrange().map_err(|error| wrong(error.to_string()))?;
         }
         for (physics, (name, state)) in self.physics.iter_mut().zip(&saved.physics) {
             if physics.name() != name {
                 return Err(wrong(format!("it holds {name} where the case has {}", physics.name())));
             }
             physics.restore(&self.workpiece.particles, state).map_err(wrong)?;
+        }
+        if self.model.flow.is_some() {
+            self.rearrange().map_err(|error| wrong(error.to_string()))?;
         }
         self.gauge.restore(saved.gauge).map_err(wrong)?;
         (self.time, self.steps) = (checkpoint.time_s, checkpoint.step);

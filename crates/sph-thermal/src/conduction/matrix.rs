@@ -20,8 +20,15 @@ struct Chunk {
     /// First entry in `shifts` (pattern) or in `columns` (indices).
     places: usize,
     length: usize,
+    /// Slots that there is room for.
+    room: usize,
+    /// Pairs of its rows.
+    pairs: usize,
     pattern: bool,
 }
+
+/// Room over need where a chunk outgrows its place (see [`ConductionMatrix::replace_chunk`]).
+const ROOM: f64 = 1.25;
 
 /// Conduction rows in chunks of [`LANES`]; see the module.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,14 +65,14 @@ impl ConductionMatrix {
         self.particles
     }
 
-    /// Directed pairs that one product visits.
-    pub fn pairs(&self) -> usize {
-        self.pairs
-    }
-
     /// Length that a column of potentials must have: the particles, rounded up to whole chunks.
     pub fn padded_len(&self) -> usize {
         self.chunks.len() * LANES
+    }
+
+    /// Directed pairs that one product visits.
+    pub fn pairs(&self) -> usize {
+        self.pairs
     }
 
     /// Number of chunks.
@@ -83,7 +90,7 @@ impl ConductionMatrix {
     #[inline]
     pub fn chunk_heat(&self, chunk: usize, theta: &[f64]) -> [f64; LANES] {
         let own: &[f64; LANES] = lanes(theta, chunk * LANES);
-        let Chunk { slots, places, length, pattern } = self.chunks[chunk];
+        let Chunk { slots, places, length, pattern, .. } = self.chunks[chunk];
         let weights = &self.weights[slots..slots + length];
         let mut sum = [0.0; LANES];
         if pattern {
@@ -107,7 +114,7 @@ impl ConductionMatrix {
     /// Heat \[W\] that the rows of one chunk receive by any pair law `exchange(weight, own, other)` over particle indices:
     /// the general form, for laws that are not linear in one potential.
     pub fn chunk_heat_by(&self, chunk: usize, exchange: impl Fn(f64, usize, usize) -> f64) -> [f64; LANES] {
-        let Chunk { slots, places, length, pattern } = self.chunks[chunk];
+        let Chunk { slots, places, length, pattern, .. } = self.chunks[chunk];
         let mut sum = [0.0; LANES];
         for slot in 0..length {
             for lane in 0..LANES {
@@ -127,7 +134,7 @@ impl ConductionMatrix {
 
     fn push_chunk(&mut self, rows: &ConductionRows, first: usize, pattern: &mut Vec<i32>) {
         let last = (first + LANES).min(self.particles);
-        let longest = (first..last).map(|i| rows.row(i).0.len()).max().unwrap_or(0);
+        let (longest, pairs) = row_lengths(rows, first..last);
         collect_pattern(rows, first..last, pattern);
         let padded = self.particles.div_ceil(LANES) * LANES;
         let inside = pattern.iter().all(|&shift| {
@@ -147,26 +154,61 @@ impl ConductionMatrix {
                     self.weights[slots + slot][i - first] = weight;
                 }
             }
-            self.chunks.push(Chunk { slots, places, length: pattern.len(), pattern: true });
+            let (length, room) = (pattern.len(), pattern.len());
+            self.chunks.push(Chunk { slots, places, length, room, pairs, pattern: true });
         } else {
-            let places = self.columns.len();
-            self.weights.resize(slots + longest, [0.0; LANES]);
-            self.columns.resize(places + longest, [first as u32; LANES]);
-            for i in first..last {
-                let (neighbors, weights) = rows.row(i);
-                for (slot, (&j, &weight)) in neighbors.iter().zip(weights).enumerate() {
-                    self.weights[slots + slot][i - first] = weight;
-                    self.columns[places + slot][i - first] = j;
-                }
-            }
-            self.chunks.push(Chunk { slots, places, length: longest, pattern: false });
+            let place = self.new_place(longest);
+            self.chunks.push(Chunk { length: longest, pairs, ..place });
+            self.fill_chunk(rows, first / LANES);
         }
+    }
+
+    /// An empty place for a chunk of indices, behind all others.
+    fn new_place(&mut self, room: usize) -> Chunk {
+        let (slots, places) = (self.weights.len(), self.columns.len());
+        self.weights.resize(slots + room, [0.0; LANES]);
+        self.columns.resize(places + room, [0; LANES]);
+        Chunk { slots, places, length: 0, room, pairs: 0, pattern: false }
+    }
+
+    /// Writes rows into a chunk of indices that has the length for them; what a shorter row leaves over points to itself.
+    fn fill_chunk(&mut self, rows: &ConductionRows, chunk: usize) {
+        let Chunk { slots, places, length, .. } = self.chunks[chunk];
+        let first = chunk * LANES;
+        self.weights[slots..slots + length].fill([0.0; LANES]);
+        self.columns[places..places + length].fill([first as u32; LANES]);
+        for i in first..(first + LANES).min(self.particles) {
+            let (neighbors, weights) = rows.row(i);
+            for (slot, (&j, &weight)) in neighbors.iter().zip(weights).enumerate() {
+                self.weights[slots + slot][i - first] = weight;
+                self.columns[places + slot][i - first] = j;
+            }
+        }
+    }
+
+    /// Stores the rows of one chunk anew, by their indices, after [`ConductionRows::replace_row`] has changed them.
+    pub fn replace_chunk(&mut self, rows: &ConductionRows, chunk: usize) {
+        let first = chunk * LANES;
+        let (longest, pairs) = row_lengths(rows, first..(first + LANES).min(self.particles));
+        let mut place = self.chunks[chunk];
+        self.pairs = self.pairs - place.pairs + pairs;
+        if place.pattern || longest > place.room {
+            place = self.new_place((ROOM * longest as f64).ceil() as usize);
+        }
+        self.chunks[chunk] = Chunk { length: longest, pairs, ..place };
+        self.fill_chunk(rows, chunk);
     }
 }
 
 #[inline]
 fn lanes(column: &[f64], start: usize) -> &[f64; LANES] {
     column[start..start + LANES].try_into().expect("a slice of LANES entries")
+}
+
+/// The longest of some rows, and the pairs of all.
+fn row_lengths(rows: &ConductionRows, range: std::ops::Range<usize>) -> (usize, usize) {
+    let lengths = range.map(|i| rows.row(i).0.len());
+    lengths.fold((0, 0), |(longest, pairs), length| (longest.max(length), pairs + length))
 }
 
 /// All distinct j - i of some rows, rising.

@@ -100,7 +100,12 @@ impl<'a, const D: usize> PairTable<'a, D> {
 
     /// Rows with g = w (1/M_i + 1/M_j)/2: second order on a lattice with images, any kernel.
     pub fn normalized(&self) -> ConductionRows {
-        let moments = self.moments();
+        self.normalized_by(&self.moments())
+    }
+
+    /// The same with the moments M that are given, one a particle: where some of the particles have neighbours that are not in
+    /// the table.
+    pub fn normalized_by(&self, moments: &[f64]) -> ConductionRows {
         let mut weights = self.weight.clone();
         for i in 0..self.particles() {
             for e in self.starts[i]..self.starts[i + 1] {

@@ -16,10 +16,29 @@ pub struct WallCoupling {
     pub coefficient: f64,
 }
 
+/// Where a row stands in the columns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Place {
+    start: usize,
+    length: usize,
+    /// Entries that there is room for.
+    room: usize,
+}
+
+impl Place {
+    fn range(&self) -> std::ops::Range<usize> {
+        self.start..self.start + self.length
+    }
+}
+
+/// A row that outgrows its place gets a new one with this much room over its length, so that rows of particles that move
+/// on and on fill little more than they need.
+const ROOM: f64 = 1.25;
+
 /// Conduction weights g_ij of particles at rest: a row a particle, neighbours rising, without the particle itself.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConductionRows {
-    starts: Vec<usize>,
+    places: Vec<Place>,
     neighbors: Vec<u32>,
     weights: Vec<f64>,
     walls: Vec<WallCoupling>,
@@ -31,7 +50,7 @@ impl ConductionRows {
     pub(crate) fn fold<const D: usize>(pairs: &PairTable<'_, D>, weights: &[f64]) -> Self {
         let particles = pairs.particles();
         let mut folded = Self {
-            starts: vec![0],
+            places: Vec::with_capacity(particles),
             neighbors: Vec::with_capacity(weights.len()),
             weights: Vec::with_capacity(weights.len()),
             walls: Vec::new(),
@@ -67,8 +86,9 @@ impl ConductionRows {
     /// round alike and the exchange stays antisymmetric to the last bit.
     fn push_row(&mut self, own: u32, row: &mut [(u32, f64)]) {
         row.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let start = self.neighbors.len();
         for &(other, weight) in row.iter().filter(|entry| entry.0 != own) {
-            let begun = self.neighbors.len() > self.starts[self.starts.len() - 1];
+            let begun = self.neighbors.len() > start;
             if begun && self.neighbors[self.neighbors.len() - 1] == other {
                 *self.weights.last_mut().expect("a weight for each neighbour") += weight;
             } else {
@@ -76,23 +96,44 @@ impl ConductionRows {
                 self.weights.push(weight);
             }
         }
-        self.starts.push(self.neighbors.len());
+        self.close_row(start);
+    }
+
+    fn close_row(&mut self, start: usize) {
+        let length = self.neighbors.len() - start;
+        self.places.push(Place { start, length, room: length });
     }
 
     /// Number of particles.
     pub fn particles(&self) -> usize {
-        self.starts.len() - 1
+        self.places.len()
     }
 
     /// Number of directed pairs.
     pub fn pairs(&self) -> usize {
-        self.neighbors.len()
+        self.places.iter().map(|place| place.length).sum()
     }
 
     /// Neighbours and weights \[m\] of one particle.
     pub fn row(&self, i: usize) -> (&[u32], &[f64]) {
-        let range = self.starts[i]..self.starts[i + 1];
+        let range = self.places[i].range();
         (&self.neighbors[range.clone()], &self.weights[range])
+    }
+
+    /// Puts `entries` (neighbours, rising, and weights \[m\]) in the place of the row of a particle that has moved. Energy is
+    /// exchanged, and not made, once the rows of its neighbours are replaced alike.
+    pub fn replace_row(&mut self, i: usize, entries: &[(u32, f64)]) {
+        let place = &mut self.places[i];
+        if entries.len() > place.room {
+            let room = (ROOM * entries.len() as f64).ceil() as usize;
+            *place = Place { start: self.neighbors.len(), length: 0, room };
+            self.neighbors.resize(place.start + room, 0);
+            self.weights.resize(place.start + room, 0.0);
+        }
+        place.length = entries.len();
+        for (at, &(neighbor, weight)) in place.range().zip(entries) {
+            (self.neighbors[at], self.weights[at]) = (neighbor, weight);
+        }
     }
 
     /// Exchange with faces of fixed potential.
@@ -139,11 +180,16 @@ impl ConductionRows {
 
     /// Takes out the pairs whose ends differ in material; the rest keeps its Kirchhoff form.
     pub fn split_joints(self, material: &[u8]) -> (Self, Vec<JointPair>) {
-        let mut kept =
-            Self { starts: vec![0], neighbors: Vec::new(), weights: Vec::new(), walls: self.walls.clone() };
+        let mut kept = Self {
+            places: Vec::new(),
+            neighbors: Vec::new(),
+            weights: Vec::new(),
+            walls: self.walls.clone(),
+        };
         let mut joints = Vec::new();
         for i in 0..self.particles() {
             let (neighbors, weights) = self.row(i);
+            let start = kept.neighbors.len();
             for (&j, &weight) in neighbors.iter().zip(weights) {
                 if material[i] == material[j as usize] {
                     kept.neighbors.push(j);
@@ -152,7 +198,7 @@ impl ConductionRows {
                     joints.push(JointPair { first: i as u32, second: j, weight });
                 }
             }
-            kept.starts.push(kept.neighbors.len());
+            kept.close_row(start);
         }
         (kept, joints)
     }

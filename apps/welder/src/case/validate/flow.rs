@@ -2,7 +2,7 @@
 
 use super::super::card::CardSource;
 use super::super::problem::Problem;
-use super::super::scene::{Face, Flow, Levels, Scene, Weights};
+use super::super::scene::{Face, Flow, Scene, Weights};
 use super::findings::Findings;
 use super::plausible::{ARTIFICIAL_VISCOSITY, MELT_SOUND, VISCOSITY_FACTOR};
 
@@ -22,14 +22,6 @@ pub fn check(findings: &mut Findings, scene: &Scene, field: &str, flow: &Flow) {
     let reason =
         "Flow moves particles through a solid that stays: with Stress it moves too, which is not built yet";
     findings.require(scene.stress().is_none(), field, reason, "list Flow or Stress");
-    let reason = "melt that flows takes one spacing";
-    let one = !matches!(scene.resolution.levels, Levels::FineBox { .. });
-    findings.require(
-        one,
-        "resolution.levels",
-        reason,
-        "accepted with Flow: Uniform, or Auto, which is then Uniform",
-    );
     for (name, face) in scene.part.faces.named() {
         let place = format!("part.faces.{name}");
         let reason = "Flow knows no mirror planes yet: compute the whole part";
@@ -44,14 +36,9 @@ pub fn check(findings: &mut Findings, scene: &Scene, field: &str, flow: &Flow) {
         findings.require(!held, &place, reason, "accepted with Flow: Adiabatic, Flux or Losses");
     }
     let weights = scene.heat().map_or(Weights::Auto, |heat| heat.weights);
-    let reason = "weights that are fitted to particles at rest do not go with Flow";
-    let fine = matches!(weights, Weights::Auto | Weights::Normalized);
-    findings.require(
-        fine,
-        "physics",
-        reason,
-        "accepted with Flow: weights: Auto, which is then Normalized, or Normalized",
-    );
+    let reason = "rows are renewed with normalized weights where the melt moves, which these are not";
+    let fine = !matches!(weights, Weights::Plain | Weights::Moving);
+    findings.require(fine, "physics", reason, "accepted with Flow: weights: Auto, Fitted or Normalized");
     for (index, region) in scene.part.regions.iter().enumerate() {
         let same = region.material.as_ref().is_none_or(|material| *material == scene.part.material);
         let remedy = "leave the region's material out, or Flow";

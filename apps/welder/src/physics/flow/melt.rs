@@ -108,9 +108,11 @@ impl Melt {
             }
         }
         self.fluid = self.members.len();
+        // Melt keeps its reach away from coarser particles: the gauge sees to that.
         let near = |i: &u32| {
             let x = particles.position[*i as usize];
-            (0..3).all(|axis| x[axis] > low[axis] - reach && x[axis] < high[axis] + reach)
+            particles.spacing[*i as usize] < 1.5 * self.spacing
+                && (0..3).all(|axis| x[axis] > low[axis] - reach && x[axis] < high[axis] + reach)
         };
         let solid = (0..particles.len() as u32).filter(|&i| !state.molten[i as usize]);
         self.members.extend(solid.filter(near));

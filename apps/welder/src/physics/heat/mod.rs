@@ -3,21 +3,25 @@
 mod deposit;
 mod faces;
 mod moving;
+mod renewal;
 mod step_size;
 mod super_step;
 
 use super::{Cost, Exchange, Failure, Physics};
-use crate::build::{Neighborhood, PairReport, Workpiece, conduction_rows};
+use crate::build::{
+    Members, Neighborhood, PairReport, Workpiece, conduction_rows, mirrors, pair_table, smoothing_ratio,
+};
 use crate::case::scene::{ConductivityMean, Face, KernelShape, Weights};
 use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use deposit::Deposit;
 use faces::FaceExchange;
 use moving::MovingRows;
+use renewal::{RenewedRows, RowRule};
 use serde::{Deserialize, Serialize};
 use sph_integrate::{Rkl2Coefficients, StepLimit, largest_eigenvalue};
 use sph_kernel::KernelKind;
-use sph_thermal::conduction::{ConductionMatrix, ConductionRows, JointPair};
+use sph_thermal::conduction::{ConductionMatrix, ConductionRows, JointPair, LANES};
 use step_size::{StepSize, Verdict};
 use super_step::{Columns, Operator, StageWeights, block_sum};
 
@@ -39,6 +43,10 @@ pub struct Heat {
     met: Vec<f64>,
     /// Particles that joints and faces touch.
     touched: Vec<usize>,
+    /// Bound on the spectrum of the rows that were made first.
+    bound: f64,
+    /// Rows that follow the melt, where it flows.
+    renewed: Option<RenewedRows>,
     step_size: StepSize,
     /// Power that leaves through faces at the start of the next step \[W\].
     leaving: f64,
@@ -57,6 +65,8 @@ struct State {
     conducted: Vec<f64>,
     laser: Vec<f64>,
     leaving: f64,
+    /// Which rows follow the melt; empty where it does not flow.
+    renewed: Vec<bool>,
 }
 
 impl Heat {
@@ -67,9 +77,19 @@ impl Heat {
     pub fn new(model: &Model, workpiece: &Workpiece) -> Result<Self, ModelError> {
         let (settings, particles) = (&model.heat, &workpiece.particles);
         let kernel = kernel_kind(settings.kernel);
-        let (weights, ratio) = (settings.weights, settings.smoothing_ratio);
-        let neighborhood = Neighborhood::new(workpiece, &model.faces, weights, kernel, ratio)?;
-        let (rows, report) = conduction_rows(workpiece, &neighborhood, weights, kernel)?;
+        let weights = settings.weights;
+        // Rows that melt moves into are normalised ones, and reach as far.
+        let reaching = if model.flow.is_some() { Weights::Normalized } else { weights };
+        let ratio = smoothing_ratio(settings.smoothing_ratio, reaching, workpiece.disorder);
+        let all = Members::all(particles.len());
+        let planes = mirrors(workpiece, &model.faces, weights);
+        let neighborhood = Neighborhood::new(workpiece, &planes, &all, kernel, ratio)?;
+        let pairs = pair_table(workpiece, &all, &neighborhood, &particles.volume, kernel)?;
+        let (rows, report) = conduction_rows(&pairs, ratio, weights)?;
+        let renewed = model
+            .flow
+            .is_some()
+            .then(|| RenewedRows::new(RowRule { planes, kernel, ratio }, rows.clone(), &pairs, workpiece));
         let moving = if weights == Weights::Moving {
             refuse_moving(model)?;
             Some(MovingRows::new(workpiece, neighborhood, kernel))
@@ -81,25 +101,21 @@ impl Heat {
             Some(laser) => Some(Deposit::new(laser, workpiece, &rows, model.mirrored())?),
             None => None,
         };
-        let largest_slope =
-            model.curves.iter().map(|curve| curve.largest_potential_slope()).fold(0.0, f64::max);
-        let fastest = largest_slope * spectral_bound(&rows, particles)
-            + faces.fastest_loss(&model.curves, &particles.mass);
-        let euler = 2.0 / fastest;
+        let bound = spectral_bound(&rows, particles);
+        let euler = longest_euler_step(model, workpiece, &faces, bound);
         let harmonic = settings.conductivity_mean == ConductivityMean::Harmonic;
         let (rows, joints) =
             if harmonic { (rows, Vec::new()) } else { rows.split_joints(&particles.material) };
         let operator = operator(model, workpiece, &rows, harmonic, moving);
         let columns = Columns::new(&operator);
-        let joined = joints.iter().flat_map(|pair| [pair.first as usize, pair.second as usize]);
-        let mut touched: Vec<usize> = faces.particles().iter().copied().chain(joined).collect();
-        touched.sort_unstable();
-        touched.dedup();
+        let touched = touched(&faces, &joints);
         let mut heat = Self {
             laser: vec![0.0; columns.power.len()],
             swing: vec![0.0; columns.power.len()],
             met: vec![0.0; if touched.is_empty() { 0 } else { columns.power.len() }],
             step_size: StepSize::new(settings.stepping, deposit.as_ref().map(Deposit::source), euler)?,
+            bound,
+            renewed,
             leaving: 0.0,
             exchange: Exchange::default(),
             cost: Cost::default(),
@@ -111,10 +127,17 @@ impl Heat {
             touched,
             report,
         };
-        heat.begin(&particles.enthalpy);
-        heat.leaving = heat.conduct();
-        std::mem::swap(&mut heat.columns.conducted, &mut heat.columns.conducted_end);
+        heat.start_anew(&particles.enthalpy);
         Ok(heat)
+    }
+
+    /// Takes `enthalpy` as the state, and evaluates it; no cost of a step.
+    fn start_anew(&mut self, enthalpy: &[f64]) {
+        let cost = self.cost;
+        self.begin(enthalpy);
+        self.leaving = self.conduct();
+        std::mem::swap(&mut self.columns.conducted, &mut self.columns.conducted_end);
+        self.cost = cost;
     }
 
     /// Longest stable explicit Euler step \[s\].
@@ -152,6 +175,15 @@ impl Heat {
         self.operator.rate(&mut self.columns);
         self.count_sweep();
         leaving
+    }
+
+    /// Keeps the light of the particles that can still be lit, and of no others.
+    fn keep_light(&mut self) {
+        let before = std::mem::replace(&mut self.laser, vec![0.0; self.swing.len()]);
+        self.swing.fill(0.0);
+        for &i in self.deposit.iter().flat_map(Deposit::particles) {
+            self.laser[i] = before[i];
+        }
     }
 
     fn count_sweep(&mut self) {
@@ -341,11 +373,22 @@ impl Physics<3> for Heat {
     }
 
     fn rearrange(&mut self, model: &Model, workpiece: &Workpiece) -> Result<(), ModelError> {
-        let mut moved = Self::new(model, workpiece)?;
-        moved.step_size.restore(self.step_size.state());
-        moved.exchange = self.exchange;
-        moved.cost = self.cost;
-        *self = moved;
+        let Some(renewed) = &mut self.renewed else { return Ok(()) };
+        let mut chunks = renewed.renew(workpiece)?;
+        chunks.iter_mut().for_each(|row| *row /= LANES as u32);
+        chunks.dedup();
+        for chunk in chunks {
+            self.operator.matrix.replace_chunk(renewed.rows(), chunk as usize);
+        }
+        self.faces = FaceExchange::new(model, workpiece, renewed.rows())?;
+        if let Some(laser) = &model.laser {
+            self.deposit = Some(Deposit::new(laser, workpiece, renewed.rows(), model.mirrored())?);
+        }
+        let bound = self.bound.max(renewed.bound(&workpiece.particles.mass));
+        self.step_size.set_euler(longest_euler_step(model, workpiece, &self.faces, bound));
+        self.touched = touched(&self.faces, &self.joints);
+        self.keep_light();
+        self.start_anew(&workpiece.particles.enthalpy);
         Ok(())
     }
 
@@ -365,6 +408,7 @@ impl Physics<3> for Heat {
             conducted: self.columns.conducted.clone(),
             laser: self.laser.clone(),
             leaving: self.leaving,
+            renewed: self.renewed.as_ref().map_or_else(Vec::new, |rows| rows.renewed().to_vec()),
         };
         postcard::to_stdvec(&state).expect("numbers and columns always serialise")
     }
@@ -375,12 +419,34 @@ impl Physics<3> for Heat {
         if state.conducted.len() != self.columns.conducted.len() || state.laser.len() != self.laser.len() {
             return Err("the state of heat is of another number of particles".into());
         }
+        if let Some(rows) = &mut self.renewed {
+            if state.renewed.len() != particles.len() {
+                return Err("the state of heat is of a scene without flow".into());
+            }
+            rows.restore(state.renewed);
+        }
         self.step_size.restore(state.step_size);
         (self.exchange, self.cost, self.leaving) = (state.exchange, state.cost, state.leaving);
         (self.columns.conducted, self.laser) = (state.conducted, state.laser);
         self.begin(&particles.enthalpy);
         Ok(())
     }
+}
+
+/// Longest stable explicit Euler step \[s\] with rows whose spectrum is bounded by `bound`.
+fn longest_euler_step(model: &Model, workpiece: &Workpiece, faces: &FaceExchange, bound: f64) -> f64 {
+    let slopes = model.curves.iter().map(|curve| curve.largest_potential_slope());
+    let fastest = slopes.fold(0.0, f64::max) * bound;
+    2.0 / (fastest + faces.fastest_loss(&model.curves, &workpiece.particles.mass))
+}
+
+/// Particles that faces or joints touch, rising, each once.
+fn touched(faces: &FaceExchange, joints: &[JointPair]) -> Vec<usize> {
+    let joined = joints.iter().flat_map(|pair| [pair.first as usize, pair.second as usize]);
+    let mut touched: Vec<usize> = faces.particles().iter().copied().chain(joined).collect();
+    touched.sort_unstable();
+    touched.dedup();
+    touched
 }
 
 /// Rows computed anew know mirrors and one material only.

@@ -86,7 +86,7 @@ impl MovingRows {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::build::conduction_rows;
+    use crate::build::{Members, mirrors, pair_table};
     use crate::case::library::cases_folder;
     use crate::case::load;
     use crate::case::scene::Weights;
@@ -104,15 +104,15 @@ mod tests {
         for disorder in ["resolution.disorder=0", "resolution.disorder=0.2"] {
             let model = model(&["resolution.spacing_m=150e-6", disorder]);
             let workpiece = Workpiece::new(&model, &level_plan(&model, 0.0).unwrap());
-            let neighbors = || {
-                let kernel = KernelKind::CubicSpline;
-                Neighborhood::new(&workpiece, &model.faces, Weights::Moving, kernel, None).unwrap()
-            };
-            let stored =
-                conduction_rows(&workpiece, &neighbors(), Weights::Normalized, KernelKind::CubicSpline)
-                    .unwrap()
-                    .0;
-            let moving = MovingRows::new(&workpiece, neighbors(), KernelKind::CubicSpline);
+            let all = Members::all(workpiece.particles.len());
+            let planes = mirrors(&workpiece, &model.faces, Weights::Moving);
+            let kernel = KernelKind::CubicSpline;
+            let neighborhood = Neighborhood::new(&workpiece, &planes, &all, kernel, 1.3).unwrap();
+            let volumes = &workpiece.particles.volume;
+            let pairs = pair_table(&workpiece, &all, &neighborhood, volumes, kernel).unwrap();
+            let stored = pairs.normalized();
+            drop(pairs);
+            let moving = MovingRows::new(&workpiece, neighborhood, kernel);
             let count = workpiece.particles.len();
             let potential: Vec<f64> = (0..count).map(|i| ((i * i) as f64).sin()).collect();
             let expected = stored.heat(&potential);

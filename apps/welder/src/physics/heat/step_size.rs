@@ -52,7 +52,7 @@ pub(super) struct StepSize {
     /// Longest stable explicit Euler step \[s\].
     euler: f64,
     largest_stages: usize,
-    /// Longest step that any limit but the error allows \[s\].
+    /// Longest step that any limit but the error allows, in Euler steps.
     stable: f64,
     source: Vec<SourceRule>,
     /// Times at which the laser changes \[s\].
@@ -79,9 +79,9 @@ impl StepSize {
                 let stages = (max_stages.max(3) as usize - 1) | 1;
                 let stages = if stages > max_stages.max(3) as usize { stages - 2 } else { stages };
                 let controller = StepController::new(1.0, LARGEST_GROWTH)?;
-                (tolerance, Some(controller), stages, max_step(stages, euler))
+                (tolerance, Some(controller), stages, max_step(stages, 1.0))
             }
-            Stepping::Euler { factor } => (None, None, 1, factor * euler),
+            Stepping::Euler { factor } => (None, None, 1, factor),
         };
         Ok(Self {
             controller,
@@ -93,6 +93,11 @@ impl StepSize {
             events: laser.map_or_else(Vec::new, |laser| laser.track().events()),
             next: SHORTEST_IN_EULER_STEPS * euler,
         })
+    }
+
+    /// Takes another longest stable Euler step \[s\], after rows have changed.
+    pub(super) fn set_euler(&mut self, euler: f64) {
+        self.euler = euler;
     }
 
     pub(super) fn euler(&self) -> f64 {
@@ -126,7 +131,7 @@ impl StepSize {
         let by_error = self.proposed(time);
         let rule = self.source.iter().find(|rule| time >= rule.from && time < rule.to);
         let stability = if self.controller.is_some() { "heat stages" } else { "heat Euler step" };
-        let mut limits = vec![StepLimit { name: stability, dt_s: self.stable }];
+        let mut limits = vec![StepLimit { name: stability, dt_s: self.stable * self.euler }];
         if self.controller.is_some() {
             limits.push(StepLimit { name: "heat error", dt_s: by_error });
             limits.extend(rule.map(|rule| StepLimit { name: "laser", dt_s: rule.longest }));
