@@ -7,7 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
-use welder::observe::{Status, Summary};
+use welder::observe::{Status, Summary, WeldOutcome};
 
 const SPOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/spot-aluminium");
 
@@ -101,7 +101,7 @@ fn a_write_that_fails_ends_the_run_with_3_names_the_file_and_loses_no_checkpoint
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(code(&output), 3, "{message}");
     assert!(message.contains("cannot write") && message.contains(full.to_str().unwrap()), "{message}");
-    assert_eq!(Summary::read(&full.join("summary.json")).unwrap().status, Status::Failed);
+    assert_eq!(Summary::<WeldOutcome>::read(&full.join("summary.json")).unwrap().status, Status::Failed);
     assert!(welder(&full).arg("--resume").status().unwrap().success());
     assert_eq!(results(&full), results(&whole));
 }

@@ -6,7 +6,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
-use welder::observe::{Field, FrameWriter, HistoryRow, Observer, Precision, Values, View};
+use welder::observe::{Field, FrameWriter, HistoryRow, Measures, Observer, Precision, Values, View};
 
 const INTERVAL_S: f64 = 0.1;
 const PARTICLES: usize = 1000;
@@ -48,7 +48,7 @@ impl<const D: usize> Cloud<D> {
             positions_m: &self.positions_m,
             spacing_m: &self.temperatures_k,
             fields,
-            history: HistoryRow::default(),
+            history: Measures::Weld(HistoryRow::default()),
             pictures: None,
         }
     }

@@ -78,10 +78,7 @@ impl Case {
 /// inside. [`load`] reads it back to the same case wherever it lies.
 pub fn resolved_ron(case: &Case) -> String {
     let mut scene = case.scene.clone();
-    scene.output.frame_interval_s = Some(scene.frame_interval_s());
-    scene.output.history_interval_s = Some(scene.history_interval_s());
-    scene.output.fields = Some(scene.frame_fields());
-    scene.output.checkpoint_interval_s = Some(scene.checkpoint_interval_s());
+    scene.output = scene.output().into();
     scene.part.material = case.materials[0].name.clone();
     for (region, &material) in scene.part.regions.iter_mut().zip(&case.region_materials) {
         region.material = Some(case.materials[material].name.clone());

@@ -152,7 +152,7 @@ mod tests {
     fn a_short_scene_is_enough() {
         let scene = read(GOOD).unwrap();
         assert_eq!(scene.heat(), Some(&Default::default()));
-        assert_eq!(scene.frame_interval_s(), 0.05 / 25.0);
+        assert_eq!(scene.output().frame_interval_s, 0.05 / 25.0);
     }
 
     #[test]

@@ -124,22 +124,51 @@ impl Default for Budget {
     }
 }
 
+/// [`Output`] with its defaults filled in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ResolvedOutput {
+    /// Whether frames are written.
+    pub frames: bool,
+    /// Time between frames in seconds.
+    pub frame_interval_s: f64,
+    /// Time between rows of history.csv in seconds.
+    pub history_interval_s: f64,
+    /// Time between checkpoints in seconds.
+    pub checkpoint_interval_s: f64,
+    /// Columns of the frames.
+    pub fields: Vec<String>,
+    /// Whether pictures are drawn.
+    pub pictures: bool,
+}
+
+impl Output {
+    /// The defaults filled in, for a run that ends at `end_s` seconds and whose frames hold `fields` by default.
+    pub fn resolved(&self, end_s: f64, fields: impl FnOnce() -> Vec<String>) -> ResolvedOutput {
+        ResolvedOutput {
+            frames: self.frames,
+            frame_interval_s: self.frame_interval_s.unwrap_or(end_s / 25.0),
+            history_interval_s: self.history_interval_s.unwrap_or(end_s / 500.0),
+            checkpoint_interval_s: self.checkpoint_interval_s.unwrap_or(end_s / 5.0),
+            fields: self.fields.clone().unwrap_or_else(fields),
+            pictures: self.pictures,
+        }
+    }
+}
+
+impl From<ResolvedOutput> for Output {
+    fn from(resolved: ResolvedOutput) -> Self {
+        Output {
+            frames: resolved.frames,
+            frame_interval_s: Some(resolved.frame_interval_s),
+            history_interval_s: Some(resolved.history_interval_s),
+            checkpoint_interval_s: Some(resolved.checkpoint_interval_s),
+            fields: Some(resolved.fields),
+            pictures: resolved.pictures,
+        }
+    }
+}
+
 impl Scene {
-    /// Time between frames in seconds, the default filled in.
-    pub fn frame_interval_s(&self) -> f64 {
-        self.output.frame_interval_s.unwrap_or(self.time.end_s / 25.0)
-    }
-
-    /// Time between rows of history.csv in seconds, the default filled in.
-    pub fn history_interval_s(&self) -> f64 {
-        self.output.history_interval_s.unwrap_or(self.time.end_s / 500.0)
-    }
-
-    /// Time between checkpoints in seconds, the default filled in.
-    pub fn checkpoint_interval_s(&self) -> f64 {
-        self.output.checkpoint_interval_s.unwrap_or(self.time.end_s / 5.0)
-    }
-
     /// The settings of heat conduction, when the scene lists it.
     pub fn heat(&self) -> Option<&Heat> {
         self.physics.iter().find_map(|physics| match physics {
@@ -171,10 +200,10 @@ impl Scene {
         stress.iter().chain(flow).copied().collect()
     }
 
-    /// Columns of the frames, the default filled in.
-    pub fn frame_fields(&self) -> Vec<String> {
+    /// What the run writes, the defaults filled in.
+    pub fn output(&self) -> ResolvedOutput {
         let heat = ["temperature_k", "phase", "was_molten"].as_slice();
         let default = || heat.iter().copied().chain(self.own_fields()).map(String::from).collect();
-        self.output.fields.clone().unwrap_or_else(default)
+        self.output.resolved(self.time.end_s, default)
     }
 }

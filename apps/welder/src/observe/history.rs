@@ -1,12 +1,12 @@
 //! `history.csv`: the measures of a run over time, one row an interval.
 
-use super::{ObserveError, Observer, Schedule, View};
-use serde::{Deserialize, Serialize};
+use super::{Measures, ObserveError, Observer, Schedule, View};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::fs::{self, File, OpenOptions};
 use std::io::{Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
-/// One row of the history; its fields are the columns of the table.
+/// One row of the history of a weld; its fields are the columns of the table.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct HistoryRow {
     /// Physical time.
@@ -85,15 +85,15 @@ impl HistoryWriter {
         Ok(())
     }
 
-    fn write(&mut self, row: &HistoryRow) -> Result<(), ObserveError> {
-        self.schedule.advance_past(row.time_s);
-        if self.written_s == Some(row.time_s) {
+    fn write(&mut self, time_s: f64, row: &Measures) -> Result<(), ObserveError> {
+        self.schedule.advance_past(time_s);
+        if self.written_s == Some(time_s) {
             return Ok(());
         }
         let Some(table) = &mut self.table else { return Ok(()) };
         table.serialize(row).map_err(|source| ObserveError::Table { path: self.path.clone(), source })?;
         table.flush().map_err(ObserveError::file("write", &self.path))?;
-        self.written_s = Some(row.time_s);
+        self.written_s = Some(time_s);
         Ok(())
     }
 }
@@ -105,23 +105,29 @@ impl<const D: usize> Observer<D> for HistoryWriter {
 
     fn init(&mut self, view: &View<D>) -> Result<(), ObserveError> {
         self.open((view.step > 0).then_some(view.time_s))?;
-        if view.step == 0 { self.write(&view.history) } else { Ok(()) }
+        if view.step == 0 { self.write(view.time_s, &view.history) } else { Ok(()) }
     }
 
     fn every(&mut self, view: &View<D>) -> Result<(), ObserveError> {
-        if self.schedule.is_due(view.time_s) { self.write(&view.history) } else { Ok(()) }
+        if self.schedule.is_due(view.time_s) { self.write(view.time_s, &view.history) } else { Ok(()) }
     }
 
     fn finish(&mut self, view: &View<D>) -> Result<(), ObserveError> {
-        self.write(&view.history)
+        self.write(view.time_s, &view.history)
     }
 }
 
-/// Reads a history back.
-pub fn read_history(path: &Path) -> Result<Vec<HistoryRow>, ObserveError> {
+/// Reads a history back, as rows of its kind of scene.
+pub fn read_history<Row: DeserializeOwned>(path: &Path) -> Result<Vec<Row>, ObserveError> {
     let table_error = |source| ObserveError::Table { path: path.to_path_buf(), source };
     let mut reader = csv::Reader::from_path(path).map_err(table_error)?;
     reader.deserialize().collect::<Result<_, _>>().map_err(table_error)
+}
+
+/// The one column that the history of every scene has.
+#[derive(Deserialize)]
+struct Clock {
+    time_s: f64,
 }
 
 /// How many bytes of a table the unbroken run would have at `time_s`, and the time of the last row among them; leaves
@@ -131,7 +137,7 @@ fn kept_rows(text: &[u8], schedule: &mut Schedule, time_s: f64) -> (u64, Option<
     let whole = &text[..text.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1)];
     let mut reader = csv::Reader::from_reader(whole);
     let (mut kept_bytes, mut last_s) = (0, None);
-    let mut rows = reader.deserialize::<HistoryRow>();
+    let mut rows = reader.deserialize::<Clock>();
     while let Some(Ok(row)) = rows.next() {
         if row.time_s > time_s || !schedule.is_due(row.time_s) {
             break;
@@ -173,7 +179,7 @@ mod tests {
             dt_limit: "conduction, explicit".into(),
             ..HistoryRow::default()
         };
-        View { history, ..View::bare(time_s, step) }
+        View { history: Measures::Weld(history), ..View::bare(time_s, step) }
     }
 
     #[test]
@@ -181,14 +187,14 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("history.csv");
         run(&path, (0.0, 0), END_S);
-        let rows = read_history(&path).unwrap();
+        let rows: Vec<HistoryRow> = read_history(&path).unwrap();
         assert_eq!(rows.len(), 12);
         assert_eq!((rows[0].time_s, rows[11].time_s), (0.0, END_S));
         for (index, row) in rows.iter().enumerate().take(11).skip(1) {
             let due_s = index as f64 * INTERVAL_S;
             assert!((due_s..due_s + STEP_S + 1e-12).contains(&row.time_s), "{index}: {}", row.time_s);
         }
-        assert_eq!(rows[3], view(rows[3].time_s, rows[3].step).history);
+        assert_eq!(Measures::Weld(rows[3].clone()), view(rows[3].time_s, rows[3].step).history);
     }
 
     #[test]
@@ -228,7 +234,7 @@ mod tests {
         let path = folder.path().join("history.csv");
         run(&path, (0.0, 0), END_S);
         run(&path, (0.0, 0), 0.0);
-        assert_eq!(read_history(&path).unwrap().len(), 1);
+        assert_eq!(read_history::<HistoryRow>(&path).unwrap().len(), 1);
         let mut lost = HistoryWriter::new(folder.path().join("none/history.csv"), INTERVAL_S);
         let error = Observer::<2>::init(&mut lost, &view(0.0, 0)).unwrap_err();
         assert!(error.to_string().contains("none/history.csv"), "{error}");

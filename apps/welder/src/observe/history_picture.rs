@@ -1,4 +1,4 @@
-//! Draws the history: peak temperature above, size of the pool below, over time.
+//! Draws the history over time, in panels that each kind of scene names; of a weld peak temperature above, size of the pool below.
 
 use super::canvas::{Area, Canvas, DrawError, FONT};
 use super::labels::{KeyEntry, LARGE, MEDIUM, SMALL, draw_key, tidy, write_text};
@@ -16,61 +16,86 @@ const KEY: u32 = 34;
 const LEFT: u32 = 94;
 const EDGE: u32 = 12;
 const LINE: f64 = 2.2;
-const RED: RGBColor = RGBColor(200, 40, 40);
-const BLUE: RGBColor = RGBColor(30, 100, 200);
-const GREEN: RGBColor = RGBColor(30, 140, 70);
-const ORANGE: RGBColor = RGBColor(225, 130, 0);
+pub(super) const RED: RGBColor = RGBColor(200, 40, 40);
+pub(super) const BLUE: RGBColor = RGBColor(30, 100, 200);
+pub(super) const GREEN: RGBColor = RGBColor(30, 140, 70);
+pub(super) const ORANGE: RGBColor = RGBColor(225, 130, 0);
 
 /// One line of a chart.
-struct Curve {
-    name: &'static str,
-    colour: RGBColor,
-    value: fn(&HistoryRow) -> f64,
+pub(super) struct Curve<Row> {
+    pub name: &'static str,
+    pub colour: RGBColor,
+    pub value: fn(&Row) -> f64,
 }
 
 /// One chart of the picture: what its upward axis shows, and its lines.
-struct Panel {
-    label: &'static str,
-    curves: Vec<Curve>,
+pub(super) struct Panel<Row> {
+    pub label: &'static str,
+    pub curves: Vec<Curve<Row>>,
+}
+
+/// A row whose history can be drawn.
+pub(super) trait Charted: Sized {
+    /// Title of the picture.
+    const TITLE: &'static str;
+
+    /// Physical time of the row.
+    fn time_s(&self) -> f64;
+
+    /// The charts, from above.
+    fn panels() -> Vec<Panel<Self>>;
 }
 
 /// Draws a history into a PNG file.
-pub fn draw_history(path: &Path, rows: &[HistoryRow]) -> Result<(), ObserveError> {
+pub(super) fn draw_history<Row: Charted>(path: &Path, rows: &[Row]) -> Result<(), ObserveError> {
     painted(rows)
         .map_err(|error| ObserveError::Picture { path: path.to_path_buf(), reason: error.to_string() })?
         .save(path)
 }
 
-fn painted(rows: &[HistoryRow]) -> Result<Canvas, DrawError> {
-    let panels = panels();
+fn painted<Row: Charted>(rows: &[Row]) -> Result<Canvas, DrawError> {
+    let panels = Row::panels();
     let mut canvas = Canvas::new(WIDTH, HEAD + panels.len() as u32 * PANEL);
-    let title = "Peak temperature and melt pool over time";
-    canvas.draw(|area| write_text(area, title, (LEFT as i32, 14), LARGE))?;
+    canvas.draw(|area| write_text(area, Row::TITLE, (LEFT as i32, 14), LARGE))?;
     for (index, panel) in panels.iter().enumerate() {
         draw_panel(&mut canvas, panel, rows, HEAD + index as u32 * PANEL)?;
     }
     Ok(canvas)
 }
 
-fn panels() -> [Panel; 2] {
-    let peak = Curve { name: "peak temperature", colour: RED, value: |row| row.peak_temperature_k };
-    let width = Curve { name: "width", colour: BLUE, value: |row| 1e3 * row.pool_width_m };
-    let length = Curve { name: "length", colour: GREEN, value: |row| 1e3 * row.pool_length_m };
-    let depth = Curve { name: "depth", colour: ORANGE, value: |row| 1e3 * row.pool_depth_m };
-    [
-        Panel { label: "temperature, K", curves: vec![peak] },
-        Panel { label: "melt pool, mm", curves: vec![width, length, depth] },
-    ]
+impl Charted for HistoryRow {
+    const TITLE: &'static str = "Peak temperature and melt pool over time";
+
+    fn time_s(&self) -> f64 {
+        self.time_s
+    }
+
+    fn panels() -> Vec<Panel<Self>> {
+        let peak =
+            Curve { name: "peak temperature", colour: RED, value: |row: &Self| row.peak_temperature_k };
+        let width = Curve { name: "width", colour: BLUE, value: |row: &Self| 1e3 * row.pool_width_m };
+        let length = Curve { name: "length", colour: GREEN, value: |row: &Self| 1e3 * row.pool_length_m };
+        let depth = Curve { name: "depth", colour: ORANGE, value: |row: &Self| 1e3 * row.pool_depth_m };
+        vec![
+            Panel { label: "temperature, K", curves: vec![peak] },
+            Panel { label: "melt pool, mm", curves: vec![width, length, depth] },
+        ]
+    }
 }
 
-fn draw_panel(canvas: &mut Canvas, panel: &Panel, rows: &[HistoryRow], top: u32) -> Result<(), DrawError> {
-    let last_s = rows.last().map_or(0.0, |row| row.time_s);
+fn draw_panel<Row: Charted>(
+    canvas: &mut Canvas,
+    panel: &Panel<Row>,
+    rows: &[Row],
+    top: u32,
+) -> Result<(), DrawError> {
+    let last_s = rows.last().map_or(0.0, Row::time_s);
     let (unit, per_second) = time_unit(last_s);
     let end = if last_s > 0.0 { last_s * per_second } else { 1.0 };
     let high = 1.06 * highest(panel, rows);
     let (across, down) = canvas.draw(|area| draw_axes(area, panel, unit, (end, high), top))?;
-    let place = |row: &HistoryRow, value: f64| {
-        let (right, up) = (row.time_s * per_second / end, value / high);
+    let place = |row: &Row, value: f64| {
+        let (right, up) = (row.time_s() * per_second / end, value / high);
         let x = f64::from(across.start) + right * (across.len() - 1) as f64;
         (x, f64::from(down.end) - up * down.len() as f64)
     };
@@ -82,15 +107,16 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, rows: &[HistoryRow], top: u32)
             }
         }
     }
-    let entry = |curve: &Curve| KeyEntry { name: curve.name.into(), strokes: vec![(LINE, curve.colour)] };
+    let entry =
+        |curve: &Curve<Row>| KeyEntry { name: curve.name.into(), strokes: vec![(LINE, curve.colour)] };
     let entries: Vec<_> = panel.curves.iter().map(entry).collect();
     draw_key(canvas, &entries, (LEFT as i32, top as i32 + 8))
 }
 
 /// Draws the axes of a panel, and tells where its lines go.
-fn draw_axes(
+fn draw_axes<Row>(
     area: &Area,
-    panel: &Panel,
+    panel: &Panel<Row>,
     unit: &str,
     (end, high): (f64, f64),
     top: u32,
@@ -119,7 +145,7 @@ fn draw_axes(
 }
 
 /// The highest value in a chart; a chart of zeros still needs a range.
-fn highest(panel: &Panel, rows: &[HistoryRow]) -> f64 {
+fn highest<Row>(panel: &Panel<Row>, rows: &[Row]) -> f64 {
     let values = panel.curves.iter().flat_map(|curve| rows.iter().map(curve.value));
     let highest = values.filter(|value| value.is_finite()).fold(0.0, f64::max);
     if highest > 0.0 { highest } else { 1.0 }
@@ -156,14 +182,15 @@ mod tests {
 
     #[test]
     fn the_axis_holds_every_finite_value() {
-        let [temperature, pool] = panels();
+        let panels = HistoryRow::panels();
+        let [temperature, pool] = panels.as_slice() else { panic!("two panels") };
         assert_eq!(
-            highest(&temperature, &rows()),
+            highest(temperature, &rows()),
             rows().iter().map(|row| row.peak_temperature_k).fold(0.0, f64::max)
         );
         let longest = rows().iter().map(|row| row.pool_length_m).fold(0.0, f64::max);
-        assert_eq!(highest(&pool, &rows()), 1e3 * longest);
-        assert_eq!(highest(&pool, &[]), 1.0);
+        assert_eq!(highest(pool, &rows()), 1e3 * longest);
+        assert_eq!(highest(pool, &[]), 1.0);
     }
 
     #[test]

@@ -17,6 +17,7 @@ pub mod history;
 pub mod history_picture;
 mod labels;
 pub mod machine;
+pub mod measures;
 pub mod picture_data;
 pub mod pictures;
 pub mod progress;
@@ -37,11 +38,12 @@ pub use error::ObserveError;
 pub use frames::FrameWriter;
 pub use history::{HistoryRow, HistoryWriter, read_history};
 pub use machine::{Machine, peak_memory_bytes, process_cpu_s};
+pub use measures::Measures;
 pub use picture_data::{Pictures, SectionGrid};
 pub use pictures::PictureWriter;
 pub use progress::Progress;
 pub use schedule::Schedule;
-pub use summary::{Energy, Pool, PoolSize, Status, StressEnd, Summary, Weld};
+pub use summary::{Energy, Pool, PoolSize, Status, StressEnd, Summary, Weld, WeldOutcome};
 pub use vtu::Precision;
 
 /// The values of one field, one entry a particle.
@@ -115,7 +117,7 @@ pub struct View<'a, const D: usize> {
     /// Every field that this run has.
     pub fields: Vec<Field<'a, D>>,
     /// The measures of this moment.
-    pub history: HistoryRow,
+    pub history: Measures,
     /// Pictures to draw, if this is a moment for them.
     pub pictures: Option<Pictures>,
 }
@@ -174,7 +176,7 @@ impl<const D: usize> View<'static, D> {
             positions_m: &[],
             spacing_m: &[],
             fields: Vec::new(),
-            history: HistoryRow::default(),
+            history: Measures::Weld(HistoryRow::default()),
             pictures: None,
         }
     }

@@ -1,7 +1,5 @@
 //! Pictures for people who would rather look: sections whenever the view brings them, the history at the end.
 
-use super::history::read_history;
-use super::history_picture::draw_history;
 use super::section_picture::draw_section;
 use super::{ObserveError, Observer, View};
 use std::path::{Path, PathBuf};
@@ -39,7 +37,7 @@ impl<const D: usize> Observer<D> for PictureWriter {
         self.draw(view)?;
         let history = self.folder.join("history.csv");
         if history.exists() {
-            draw_history(&self.folder.join("history.png"), &read_history(&history)?)?;
+            view.history.draw_history(&self.folder.join("history.png"), &history)?;
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! The progress bar on the terminal.
 
-use super::{HistoryRow, ObserveError, Observer, Pulse, View};
+use super::{ObserveError, Observer, Pulse, View};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
@@ -45,7 +45,7 @@ impl Progress {
     }
 
     fn measure<const D: usize>(&mut self, view: &View<D>) {
-        self.measures = measures_text(&view.history);
+        self.measures = view.history.words();
         self.show(&view.pulse());
     }
 }
@@ -87,17 +87,8 @@ fn clock_text(pulse: &Pulse) -> String {
     format!("{now} of {end}, step {}, dt {} by {}", pulse.step, scaled(pulse.dt_s, "s"), pulse.dt_limit)
 }
 
-fn measures_text(row: &HistoryRow) -> String {
-    let pool = if row.pool_depth_m > 0.0 || row.pool_width_m > 0.0 {
-        format!(", pool {} wide, {} deep", scaled(row.pool_width_m, "m"), scaled(row.pool_depth_m, "m"))
-    } else {
-        String::new()
-    };
-    format!("{pool}, peak {:.0} K", row.peak_temperature_k)
-}
-
 /// A quantity with three digits or more and a prefix from nano to none.
-fn scaled(value: f64, unit: &str) -> String {
+pub(super) fn scaled(value: f64, unit: &str) -> String {
     let prefixes = [(1.0, ""), (1e-3, "m"), (1e-6, "\u{b5}"), (1e-9, "n")];
     // Rounding must not turn 0.9999 m into 1000 mm.
     let fits = |&&(size, _): &&(f64, &str)| value.abs() >= 0.9995 * size;
@@ -114,6 +105,7 @@ fn scaled(value: f64, unit: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::observe::{HistoryRow, Measures};
 
     fn view(time_s: f64, step: u64, pool_m: f64) -> View<'static, 3> {
         let history = HistoryRow {
@@ -122,7 +114,7 @@ mod tests {
             peak_temperature_k: 1620.4,
             ..HistoryRow::default()
         };
-        View { end_s: 15e-3, dt_s: 12.3e-6, history, ..View::bare(time_s, step) }
+        View { end_s: 15e-3, dt_s: 12.3e-6, history: Measures::Weld(history), ..View::bare(time_s, step) }
     }
 
     #[test]

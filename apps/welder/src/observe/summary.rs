@@ -1,7 +1,7 @@
 //! `summary.json`: what came out of a run, for scripts and for the tables of a report.
 
 use super::{ObserveError, whole_file};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -22,7 +22,7 @@ pub enum Status {
 
 /// The result of a run. A number that is not finite becomes `null`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Summary {
+pub struct Summary<Outcome> {
     /// How the run ended.
     pub status: Status,
     /// Version of the program.
@@ -53,6 +53,16 @@ pub struct Summary {
     pub threads: usize,
     /// Most memory held, where the system tells.
     pub peak_memory_bytes: Option<u64>,
+    /// What the scene has of its own; its keys stand beside the others.
+    #[serde(flatten)]
+    pub outcome: Outcome,
+    /// Dimensionless numbers of the physics present, by name.
+    pub numbers: BTreeMap<String, f64>,
+}
+
+/// What a weld has of its own.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct WeldOutcome {
     /// Highest temperature of the top face at any time, between particles.
     pub peak_temperature_k: f64,
     /// The largest pool.
@@ -64,8 +74,6 @@ pub struct Summary {
     /// Stress, where it was computed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stress: Option<StressEnd>,
-    /// Dimensionless numbers of the physics present, by name.
-    pub numbers: BTreeMap<String, f64>,
 }
 
 /// The largest extents of the pool at the liquidus and at the solidus.
@@ -141,12 +149,14 @@ pub struct Energy {
     pub residual_rel: f64,
 }
 
-impl Summary {
+impl<Outcome: Serialize> Summary<Outcome> {
     /// Writes the summary, whole or not at all.
     pub fn write(&self, path: &Path) -> Result<(), ObserveError> {
         write_json(path, self)
     }
+}
 
+impl<Outcome: DeserializeOwned> Summary<Outcome> {
     /// Reads a summary back.
     pub fn read(path: &Path) -> Result<Self, ObserveError> {
         let text = fs::read_to_string(path).map_err(ObserveError::file("read", path))?;
@@ -167,7 +177,7 @@ mod tests {
     use super::*;
     use serde_json::Value;
 
-    fn example() -> Summary {
+    fn example() -> Summary<WeldOutcome> {
         Summary {
             status: Status::AuditFailed,
             version: "0.1.0".into(),
@@ -184,11 +194,12 @@ mod tests {
             pair_visits: 3_000_000_000_000,
             threads: 1,
             peak_memory_bytes: None,
-            peak_temperature_k: 0.1 + 0.2,
-            pool: Pool::default(),
-            weld: Weld { solidified_at_s: Some(0.0123), ..Weld::default() },
-            energy: Energy { residual_rel: -3.0e-16, ..Energy::default() },
-            stress: None,
+            outcome: WeldOutcome {
+                peak_temperature_k: 0.1 + 0.2,
+                weld: Weld { solidified_at_s: Some(0.0123), ..Weld::default() },
+                energy: Energy { residual_rel: -3.0e-16, ..Energy::default() },
+                ..WeldOutcome::default()
+            },
             numbers: BTreeMap::from([("stefan".into(), 1.7)]),
         }
     }
@@ -202,7 +213,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("summary.json");
         example().write(&path).unwrap();
-        assert_eq!(Summary::read(&path).unwrap(), example());
+        assert_eq!(Summary::<WeldOutcome>::read(&path).unwrap(), example());
     }
 
     #[test]

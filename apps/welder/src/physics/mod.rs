@@ -79,6 +79,8 @@ pub enum Column<const D: usize> {
     Scalar(Vec<f64>),
     /// One vector a particle.
     Vector(Vec<SVector<f64, D>>),
+    /// A small whole number a particle: a phase, a flag.
+    Byte(Vec<u8>),
 }
 
 /// Flow, stress and deformation of the part, mirror images not counted; zero where they are not computed.

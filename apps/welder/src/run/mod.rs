@@ -1,16 +1,20 @@
 //! Running a model: the time loop, the ledger, the records, and what stands around them.
 
 mod command;
+mod course;
 mod ledger;
 mod pilot;
 mod report;
 mod saved;
+mod scenario;
 mod simulation;
 mod watch;
+mod weld;
 
 pub use command::command;
 pub use ledger::Ledger;
 pub use pilot::level_plan;
+pub use report::numbers;
 pub(crate) use report::solid_scales;
-pub use report::{numbers, summary};
+pub use scenario::Scenario;
 pub use simulation::{Records, Simulation, StepReport};

@@ -1,38 +1,20 @@
-//! What a run says at its end: summary.json, and the dimensionless numbers of the physics present.
+//! What a weld says at its end: its part of summary.json, and the dimensionless numbers of the physics present.
 
 use super::Simulation;
 use crate::measure::Extent;
 use crate::model::Model;
-use crate::observe::{
-    Energy, Pool, PoolSize, Status, StressEnd, Summary, Weld, peak_memory_bytes, process_cpu_s,
-};
+use crate::observe::{Energy, Pool, PoolSize, StressEnd, Weld, WeldOutcome};
 use crate::physics::flow::SMOOTHING_RATIO;
 use sph_fluid::equivalent_viscosity;
 use std::collections::BTreeMap;
 
-/// The summary of a run that took `wall_s`, of which `setup_s` before its first step.
-pub fn summary(simulation: &Simulation, status: Status, wall_s: f64, setup_s: f64) -> Summary {
-    let (records, ledger, cost) = (simulation.records(), simulation.ledger(), simulation.cost());
+/// What the summary says of a weld.
+pub(super) fn outcome(simulation: &Simulation) -> WeldOutcome {
+    let (records, ledger) = (simulation.records(), simulation.ledger());
     let (pool, solidus) = (sizes(&records.liquidus), sizes(&records.solidus));
     let weld = simulation.gauge().weld();
     let (mechanics, copies) = (simulation.mechanics(), simulation.gauge().copies());
-    let loop_s = (wall_s - setup_s).max(f64::MIN_POSITIVE);
-    Summary {
-        status,
-        version: env!("CARGO_PKG_VERSION").into(),
-        case: simulation.model().name.clone(),
-        dimension: 3,
-        particles: simulation.particles().len(),
-        spacing_m: simulation.model().spacing(),
-        steps: simulation.steps(),
-        step_limits: simulation.limits().clone(),
-        wall_s,
-        cpu_s: process_cpu_s(),
-        setup_s,
-        particle_steps_per_s: simulation.particles().len() as f64 * simulation.steps() as f64 / loop_s,
-        pair_visits: cost.pair_visits,
-        threads: rayon::current_num_threads(),
-        peak_memory_bytes: peak_memory_bytes(),
+    WeldOutcome {
         peak_temperature_k: records.peak_temperature,
         pool: Pool {
             max_width_m: pool.max_width_m,
@@ -64,11 +46,6 @@ pub fn summary(simulation: &Simulation, status: Status, wall_s: f64, setup_s: f6
             max_plastic_strain: mechanics.largest_plastic_strain,
             unrest: mechanics.unrest,
         }),
-        numbers: {
-            let mut numbers = numbers(simulation.model());
-            numbers.extend(flow_numbers(simulation));
-            numbers
-        },
     }
 }
 
@@ -79,7 +56,7 @@ fn sizes(extent: &Extent) -> PoolSize {
 /// Dimensionless numbers of the flow, with the largest speed v of the run, half the pool's largest width R and its largest
 /// excess dT over the liquidus: friction_by_numerics, what artificial viscosity adds to eta, over eta; with eta alone reynolds rho v R/eta, cell_reynolds rho v dx/eta, mach v/c of the artificial sound,
 /// marangoni |tau_T| dT R rho c_p/(eta k), weber rho v^2 R/tau.
-fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
+pub(super) fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
     let (model, records) = (simulation.model(), simulation.records());
     let (Some(flow), true) = (&model.flow, records.liquidus.width > 0.0) else { return BTreeMap::new() };
     let material = &model.materials[0];

@@ -1,91 +1,40 @@
-//! From a simulation to what its observers see.
+//! From the simulation of a weld to what its observers see.
 
 use super::{Simulation, StepReport};
-use crate::observe::{Field, HistoryRow, Pictures, SectionGrid, Values, View};
+use crate::observe::{HistoryRow, Pictures, SectionGrid};
 use crate::particles::{LIQUID, MUSHY, SOLID};
 use crate::physics::Column;
 
-/// Columns that exist only to be shown.
-#[derive(Default)]
-pub(super) struct Shown {
-    temperature: Vec<f64>,
-    peak_temperature: Vec<f64>,
-    liquid_fraction: Vec<f64>,
-    phase: Vec<u8>,
-    was_molten: Vec<u8>,
-    /// Columns that physics have of their own.
-    own: Vec<(&'static str, Column<3>)>,
+/// Every column that can be shown.
+pub(super) fn columns(simulation: &Simulation) -> Vec<(&'static str, Column<3>)> {
+    let (model, particles) = (simulation.model(), simulation.particles());
+    let curve = |i: usize| &model.curves[particles.material[i] as usize];
+    let all = 0..particles.len();
+    let temperatures =
+        |enthalpies: &[f64]| all.clone().map(|i| curve(i).temperature(enthalpies[i])).collect();
+    let fractions: Vec<f64> = all.clone().map(|i| curve(i).liquid_fraction(particles.enthalpy[i])).collect();
+    let phase = |fraction: &f64| match *fraction {
+        f if f <= 0.0 => SOLID,
+        f if f < 1.0 => MUSHY,
+        _ => LIQUID,
+    };
+    let molten = |i: usize| u8::from(curve(i).liquid_fraction(particles.peak_enthalpy[i]) >= 1.0);
+    let mut columns = vec![
+        ("temperature_k", Column::Scalar(temperatures(&particles.enthalpy))),
+        ("peak_temperature_k", Column::Scalar(temperatures(&particles.peak_enthalpy))),
+        ("phase", Column::Byte(fractions.iter().map(phase).collect())),
+        ("liquid_fraction", Column::Scalar(fractions)),
+        ("was_molten", Column::Byte(all.clone().map(molten).collect())),
+        ("enthalpy_j_kg", Column::Scalar(particles.enthalpy.clone())),
+        ("spacing_m", Column::Scalar(particles.spacing.clone())),
+        ("material", Column::Byte(particles.material.clone())),
+    ];
+    columns.extend(simulation.columns());
+    columns
 }
 
-impl Shown {
-    /// Fills the columns from the state.
-    pub(super) fn fill(&mut self, simulation: &Simulation) {
-        let (model, particles) = (simulation.model(), simulation.particles());
-        let curve = |i: usize| &model.curves[particles.material[i] as usize];
-        let all = 0..particles.len();
-        self.temperature = all.clone().map(|i| curve(i).temperature(particles.enthalpy[i])).collect();
-        self.peak_temperature =
-            all.clone().map(|i| curve(i).temperature(particles.peak_enthalpy[i])).collect();
-        self.liquid_fraction = all.clone().map(|i| curve(i).liquid_fraction(particles.enthalpy[i])).collect();
-        let phase = |fraction: &f64| match *fraction {
-            f if f <= 0.0 => SOLID,
-            f if f < 1.0 => MUSHY,
-            _ => LIQUID,
-        };
-        self.phase = self.liquid_fraction.iter().map(phase).collect();
-        let molten = |i: usize| u8::from(curve(i).liquid_fraction(particles.peak_enthalpy[i]) >= 1.0);
-        self.was_molten = all.map(molten).collect();
-        self.own = simulation.columns();
-    }
-
-    fn fields<'a>(&'a self, simulation: &'a Simulation) -> Vec<Field<'a, 3>> {
-        let particles = simulation.particles();
-        let scalar = |name, values| Field { name, values: Values::Scalar(values) };
-        let byte = |name, values| Field { name, values: Values::Byte(values) };
-        let mut fields = vec![
-            scalar("temperature_k", &self.temperature),
-            scalar("peak_temperature_k", &self.peak_temperature),
-            scalar("liquid_fraction", &self.liquid_fraction),
-            scalar("enthalpy_j_kg", &particles.enthalpy),
-            scalar("spacing_m", &particles.spacing),
-            byte("phase", &self.phase),
-            byte("was_molten", &self.was_molten),
-            byte("material", &particles.material),
-        ];
-        fields.extend(self.own.iter().map(|(name, column)| {
-            let values = match column {
-                Column::Scalar(values) => Values::Scalar(values.as_slice()),
-                Column::Vector(values) => Values::Vector(values.as_slice()),
-            };
-            Field { name, values }
-        }));
-        fields
-    }
-}
-
-/// The view of this moment; fields are those of `shown` where given.
-pub(super) fn view<'a>(
-    simulation: &'a Simulation,
-    last: &StepReport,
-    shown: Option<&'a Shown>,
-    pictures: Option<Pictures>,
-) -> View<'a, 3> {
-    let particles = simulation.particles();
-    View {
-        time_s: simulation.time(),
-        end_s: simulation.model().end,
-        step: simulation.steps(),
-        dt_s: last.step,
-        dt_limit: last.limit,
-        positions_m: &particles.position,
-        spacing_m: &particles.spacing,
-        fields: shown.map_or_else(Vec::new, |shown| shown.fields(simulation)),
-        history: history(simulation, last),
-        pictures,
-    }
-}
-
-fn history(simulation: &Simulation, last: &StepReport) -> HistoryRow {
+/// The row of the history.
+pub(super) fn measures(simulation: &Simulation, last: &StepReport) -> HistoryRow {
     let (now, ledger) = (&simulation.records().now, simulation.ledger());
     let mechanics = simulation.mechanics();
     let stress = mechanics.filter(|_| simulation.model().stress.is_some());
