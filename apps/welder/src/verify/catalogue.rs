@@ -1,5 +1,6 @@
 //! All benchmarks, in the order in which they run.
 
+use super::coupled::{cycles, gate, nist_tracks};
 use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
@@ -8,7 +9,7 @@ use super::melt::{channels, drops, layers, vortices, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 47] = [
+static BENCHMARKS: [Benchmark; 51] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -53,6 +54,10 @@ static BENCHMARKS: [Benchmark; 47] = [
     rings::RINGS,
     weld::LATTICE,
     weld::DISORDERED,
+    nist_tracks::BENCHMARK,
+    cycles::WITH_STRESS,
+    cycles::WITH_FLOW,
+    gate::BENCHMARK,
     round_off::LEDGER,
     round_off::THREADS,
     round_off::RESUME,
