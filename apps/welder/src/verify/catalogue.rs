@@ -4,11 +4,11 @@ use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
-use super::melt::{channels, drops, layers, vortices, waters};
+use super::melt::{cavities, channels, drops, layers, vortices, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 47] = [
+static BENCHMARKS: [Benchmark; 48] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -31,6 +31,7 @@ static BENCHMARKS: [Benchmark; 47] = [
     layers::FILM,
     layers::RETURN_FLOW,
     layers::CLOSED_LAYER,
+    cavities::RE_100,
     waves::PRESSURE,
     waves::SHEAR,
     waves::BAR,
