@@ -14,7 +14,7 @@ mod test_block;
 pub use error::Error;
 pub use laws::*;
 pub use packed::{PackedFields, PackedParticle, PackedRates, PackedRows, PackedSweep};
-pub use patch::{FindNeighbors, FluidPatch, PatchStart};
+pub use patch::{Conduction, FindNeighbors, FluidPatch, PatchStart};
 pub use surface::*;
 pub use sweep::{FluidControls, FluidFields, FluidSweep};
 pub use tait::{Tait, tait_density, tait_pressure, tait_sound_speed};

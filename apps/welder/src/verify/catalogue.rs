@@ -1,14 +1,15 @@
 //! All benchmarks, in the order in which they run.
 
+use super::coupled::{cycles, gate, nist_tracks};
 use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
-use super::melt::{channels, drops, layers, vortices, waters};
+use super::melt::{cavities, channels, drops, layers, vortices, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 47] = [
+static BENCHMARKS: [Benchmark; 52] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -31,6 +32,7 @@ static BENCHMARKS: [Benchmark; 47] = [
     layers::FILM,
     layers::RETURN_FLOW,
     layers::CLOSED_LAYER,
+    cavities::RE_100,
     waves::PRESSURE,
     waves::SHEAR,
     waves::BAR,
@@ -53,6 +55,10 @@ static BENCHMARKS: [Benchmark; 47] = [
     rings::RINGS,
     weld::LATTICE,
     weld::DISORDERED,
+    nist_tracks::BENCHMARK,
+    cycles::WITH_STRESS,
+    cycles::WITH_FLOW,
+    gate::BENCHMARK,
     round_off::LEDGER,
     round_off::THREADS,
     round_off::RESUME,

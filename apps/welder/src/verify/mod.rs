@@ -8,6 +8,7 @@ mod benchmark;
 mod book;
 mod catalogue;
 mod command;
+mod coupled;
 pub mod exact;
 mod heat;
 mod melt;

@@ -1,10 +1,13 @@
 //! Flows whose answer is known, for tests, examples and `welder verify`: a scene and what is measured of it, no verdicts.
 
+pub mod cavity;
 pub mod channel;
 pub mod dam;
 pub mod drop;
+mod fit;
 mod lattice;
 pub mod layer;
+pub mod pool;
 pub mod shapes;
 pub mod tank;
 pub mod vortices;

@@ -1,5 +1,6 @@
 //! The melt: flows of `sph-fluid` whose answer is known.
 
+pub(super) mod cavities;
 pub(super) mod channels;
 pub(super) mod drops;
 pub(super) mod layers;

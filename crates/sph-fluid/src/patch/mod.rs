@@ -1,8 +1,13 @@
 //! Fluid that is stepped by itself: columns, periodic copies, walls, and kick-drift-kick.
 
+mod conduction;
+
+pub use conduction::Conduction;
+
 use crate::benchmarks::largest;
 use crate::error::{Error, require};
 use crate::sweep::{FluidControls, FluidFields, FluidSweep};
+use conduction::{ConductionSweep, Rows};
 use nalgebra::SVector;
 use sph_kernel::RowBuffer;
 use sph_kernel::operators::summation;
@@ -31,8 +36,10 @@ pub struct PatchStart<const D: usize> {
     pub periods: [Option<f64>; D],
     /// Pressure of the fluid at a place \[Pa\]: the density follows from it.
     pub pressure: fn(&SVector<f64, D>) -> f64,
-    /// Temperature at a place \[K\], which the fluid moves through.
+    /// Temperature at a place \[K\], which the fluid moves through; with conduction, that of the start.
     pub temperature: fn(&SVector<f64, D>) -> f64,
+    /// Where the fluid carries its temperature: how heat spreads.
+    pub conduction: Option<Conduction<D>>,
 }
 
 impl<const D: usize> PatchStart<D> {
@@ -48,6 +55,7 @@ impl<const D: usize> PatchStart<D> {
             periods: [None; D],
             pressure: |_| 0.0,
             temperature: |_| 0.0,
+            conduction: None,
         }
     }
 }
@@ -73,6 +81,7 @@ pub struct FluidPatch<const D: usize> {
     /// Positions of the fluid when the list was made.
     listed: Vec<SVector<f64, D>>,
     sweep: FluidSweep<D>,
+    conduction: Option<ConductionSweep<D>>,
     time: f64,
     pair_visits: u64,
 }
@@ -81,7 +90,7 @@ impl<const D: usize> FluidPatch<D> {
     /// Places the fluid at rest and evaluates it.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a spacing or a period that is not positive, and what [`FluidSweep::new`] refuses.
+    /// [`Error::OutOfRange`] for a spacing, period or diffusivity that is not positive, and what [`FluidSweep::new`] refuses.
     ///
     /// # Panics
     /// If columns of `start` differ in length.
@@ -93,6 +102,9 @@ impl<const D: usize> FluidPatch<D> {
         require(start.spacing > 0.0, "spacing", start.spacing, "a positive length in metres")?;
         for period in start.periods.into_iter().flatten() {
             require(period > 0.0, "period", period, "a positive length in metres")?;
+        }
+        if let Some(Conduction { diffusivity, .. }) = start.conduction {
+            require(diffusivity > 0.0, "diffusivity", diffusivity, "positive, in square metres per second")?;
         }
         assert_eq!(start.positions.len(), start.volumes.len(), "volumes");
         assert_eq!(start.walls.len(), start.wall_velocities.len(), "velocities of walls");
@@ -110,7 +122,8 @@ impl<const D: usize> FluidPatch<D> {
             velocities: vec![SVector::zeros(); fluid],
             accelerations: vec![SVector::zeros(); fluid],
             sweep: FluidSweep::new(controls)?,
-            temperatures: Vec::new(),
+            temperatures: start.positions.iter().map(start.temperature).collect(),
+            conduction: start.conduction.map(ConductionSweep::new),
             copies: Vec::new(),
             shifts: Vec::new(),
             list: (Vec::new(), Vec::new()),
@@ -161,6 +174,26 @@ impl<const D: usize> FluidPatch<D> {
     #[must_use]
     pub fn masses(&self) -> &[f64] {
         &self.masses[..self.fluid]
+    }
+
+    /// Temperatures of the fluid \[K\].
+    #[must_use]
+    pub fn temperatures(&self) -> &[f64] {
+        &self.temperatures[..self.fluid]
+    }
+
+    /// Heat over rho c \[K m^D/s\] that the fluid takes from the particles of walls that `chosen` picks; zero without conduction.
+    #[must_use]
+    pub fn heat_taken_from(&self, chosen: impl Fn(&SVector<f64, D>) -> bool) -> f64 {
+        let Some(conduction) = &self.conduction else { return 0.0 };
+        let rows = Rows {
+            kernel: self.sweep.kernel(),
+            positions: &self.positions,
+            copies: &self.copies,
+            list: &self.list,
+            fluid: self.fluid,
+        };
+        conduction.taken_from(&rows, &self.temperatures, chosen)
     }
 
     /// The sweep, with pressures and surface of the last evaluation.
@@ -246,8 +279,7 @@ impl<const D: usize> FluidPatch<D> {
             self.rebuild();
         }
         self.move_copies();
-        self.temperatures.clear();
-        self.temperatures.extend(self.positions.iter().map(self.start.temperature));
+        self.update_temperatures(dt);
         let fields = FluidFields {
             positions: &self.positions,
             velocities: &self.velocities,
@@ -258,6 +290,29 @@ impl<const D: usize> FluidPatch<D> {
             list_neighbors: &self.list.1,
         };
         self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
+        self.pair_visits += 2 * self.list.0[self.fluid] as u64;
+    }
+
+    /// Heat moves for `dt` at the rates found last, then finds new ones; without conduction the temperature is that of the place.
+    fn update_temperatures(&mut self, dt: f64) {
+        let Some(conduction) = &mut self.conduction else {
+            self.temperatures.clear();
+            self.temperatures.extend(self.positions.iter().map(self.start.temperature));
+            return;
+        };
+        for (temperature, rate) in self.temperatures.iter_mut().zip(conduction.rates()) {
+            *temperature += rate * dt;
+        }
+        self.temperatures.resize(self.positions.len(), 0.0);
+        let rows = Rows {
+            kernel: self.sweep.kernel(),
+            positions: &self.positions,
+            copies: &self.copies,
+            list: &self.list,
+            fluid: self.fluid,
+        };
+        let volumes = self.masses.iter().zip(&self.densities).map(|(mass, density)| mass / density);
+        conduction.measure(&rows, volumes, &mut self.temperatures);
         self.pair_visits += 2 * self.list.0[self.fluid] as u64;
     }
 
