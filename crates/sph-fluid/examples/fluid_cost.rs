@@ -132,6 +132,7 @@ impl Plain {
             masses: &self.masses,
             temperatures: &[],
             copies: &[],
+            mirrors: &[],
             list_starts: self.list.list().starts(),
             list_neighbors: self.list.list().indices(),
         };

@@ -84,8 +84,11 @@ pub struct FluidFields<'a, const D: usize> {
     pub masses: &'a [f64],
     /// Temperatures \[K\] of all particles; read only where tension changes with temperature, and may be empty without.
     pub temperatures: &'a [f64],
-    /// For each copy (periodic images) the fluid particle that it shows.
+    /// For each copy (image across a period or in a mirror plane) the fluid particle that it shows.
     pub copies: &'a [u32],
+    /// For each copy the sign by which each component of a vector continues: -1 on mirrored axes. Empty where no copy is a
+    /// mirror image.
+    pub mirrors: &'a [SVector<f64, D>],
     /// Where each particle's row starts in `list_neighbors`; one entry more than particles.
     pub list_starts: &'a [usize],
     /// A full list with ascending rows; entries outside the support do no harm.
@@ -97,6 +100,14 @@ impl<'a, const D: usize> FluidFields<'a, D> {
     #[inline]
     pub(crate) fn neighbors(&self, i: usize) -> &'a [u32] {
         &self.list_neighbors[self.list_starts[i]..self.list_starts[i + 1]]
+    }
+
+    /// Gives each copy, stored behind the fluid, the vector of the particle that it shows, mirrored where the copy is.
+    pub(crate) fn copy_vectors(&self, column: &mut [SVector<f64, D>], fluid: usize) {
+        copy_images(column, fluid, self.copies);
+        for (vector, mirror) in column[fluid..].iter_mut().zip(self.mirrors) {
+            vector.component_mul_assign(mirror);
+        }
     }
 }
 
@@ -117,6 +128,8 @@ pub struct FluidSweep<const D: usize> {
     density_gradients: Vec<SVector<f64, D>>,
     surface: Option<SurfaceBand<D>>,
     shifts: Vec<SVector<f64, D>>,
+    /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on the fluid; empty without tension.
+    marangoni: Vec<SVector<f64, D>>,
     /// Inverse moments B; empty without corrected gradients.
     corrections: Vec<SMatrix<f64, D, D>>,
 }
@@ -137,6 +150,7 @@ impl<const D: usize> FluidSweep<D> {
             seen: Vec::new(),
             density_gradients: Vec::new(),
             shifts: Vec::new(),
+            marangoni: Vec::new(),
             corrections: Vec::new(),
         })
     }
@@ -166,6 +180,12 @@ impl<const D: usize> FluidSweep<D> {
         &self.pressures
     }
 
+    /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on each particle of fluid at the last evaluation; empty without tension.
+    #[must_use]
+    pub fn marangoni_forces(&self) -> &[SVector<f64, D>] {
+        &self.marangoni
+    }
+
     /// The work between drift and second kick: advances the densities over `dt_s` with the velocities of the drift,
     /// then writes the accelerations \[m/s^2\] of the fluid. `dt_s` = 0 only evaluates.
     ///
@@ -185,8 +205,11 @@ impl<const D: usize> FluidSweep<D> {
         assert_eq!(fields.velocities.len(), particles, "velocities");
         assert_eq!(fields.masses.len(), particles, "masses");
         assert_eq!(densities.len(), particles, "densities");
+        assert!(fields.mirrors.is_empty() || fields.mirrors.len() == fields.copies.len(), "mirrors");
         self.fit(particles, fluid);
         copy_images(densities, fluid, fields.copies);
+        // Those of the evaluation before, whose copies may have been others.
+        fields.copy_vectors(&mut self.density_gradients, fluid);
         self.measure_volumes(fields, densities);
         self.measure_corrections(fields, fluid);
         self.measure_rates(fields, densities, fluid);
@@ -201,7 +224,6 @@ impl<const D: usize> FluidSweep<D> {
             surface.measure(fields, &self.volumes, fluid, bends);
         }
         self.sum_forces(fields, densities, accelerations);
-        copy_images(&mut self.density_gradients, fluid, fields.copies);
         self.add_surface_forces(fields, densities, accelerations);
         self.measure_shifts(fields, fluid);
     }
@@ -230,6 +252,9 @@ impl<const D: usize> FluidSweep<D> {
         });
         others.fill(SMatrix::identity());
         copy_images(corrections, fluid, fields.copies);
+        for (correction, mirror) in corrections[fluid..].iter_mut().zip(fields.mirrors) {
+            correction.component_mul_assign(&(mirror * mirror.transpose()));
+        }
     }
 
     fn measure_volumes(&mut self, fields: &FluidFields<'_, D>, densities: &[f64]) {
@@ -339,7 +364,7 @@ impl<const D: usize> FluidSweep<D> {
 
     /// Third pass, over the surface only: tension and Marangoni force.
     fn add_surface_forces(
-        &self,
+        &mut self,
         fields: &FluidFields<'_, D>,
         densities: &[f64],
         accelerations: &mut [SVector<f64, D>],
@@ -348,8 +373,11 @@ impl<const D: usize> FluidSweep<D> {
             return;
         };
         let (kernel, volumes, profile) = (&self.controls.kernel, &self.volumes, surface.profile());
-        let corrections = &self.corrections;
-        accelerations.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, sum)| {
+        let (corrections, marangoni) = (&self.corrections, &mut self.marangoni);
+        marangoni.resize(accelerations.len(), SVector::zeros());
+        let written = accelerations.par_iter_mut().zip(marangoni).enumerate();
+        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, marangoni))| {
+            *marangoni = SVector::zeros();
             let curvature = surface.curvatures()[i];
             let (normal, depth) = &surface.planes()[i];
             let driven = tension.slope() != 0.0 && *depth < profile.support();
@@ -372,7 +400,8 @@ impl<const D: usize> FluidSweep<D> {
                 let inverse = own.unwrap_or_else(|| regularised_inverse(&moment(&row, volumes)));
                 let slope = gradient(&row, volumes, fields.temperatures, &inverse);
                 let weight = profile.weight(depth.max(0.0));
-                *sum += marangoni_force(tension.slope(), weight, normal, &slope) / densities[i];
+                *marangoni = marangoni_force(tension.slope(), weight, normal, &slope);
+                *sum += *marangoni / densities[i];
             }
         });
     }

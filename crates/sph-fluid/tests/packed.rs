@@ -215,6 +215,7 @@ fn density_first_is_the_step_of_the_plain_sweep() {
         masses: &masses,
         temperatures: &[],
         copies: &[],
+        mirrors: &[],
         list_starts: list.starts(),
         list_neighbors: list.indices(),
     };

@@ -14,10 +14,27 @@ pub struct Flow {
     pub viscosity_factor: f64,
     /// Artificial viscosity alpha of the melt. Default: 0.1.
     pub artificial_viscosity: f64,
+    /// Who takes whose steps. Default: Split.
+    pub schedule: FlowSchedule,
+}
+
+/// How heat and melt share their steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum FlowSchedule {
+    /// Each at its own: the melt takes many short steps within one of heat, and only what has moved is looked at anew.
+    #[default]
+    Split,
+    /// Heat takes the short steps of the melt too, and every neighbour is found anew after each: the slow reference.
+    Together,
 }
 
 impl Default for Flow {
     fn default() -> Self {
-        Flow { sound_speed_m_s: None, viscosity_factor: 1.0, artificial_viscosity: 0.1 }
+        Flow {
+            sound_speed_m_s: None,
+            viscosity_factor: 1.0,
+            artificial_viscosity: 0.1,
+            schedule: FlowSchedule::Split,
+        }
     }
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-pub use super::flow::Flow;
+pub use super::flow::{Flow, FlowSchedule};
 pub use super::heat::{ConductivityMean, EnthalpyCurve, Heat, KernelShape, Physics, Stepping, Weights};
 pub use super::laser::Laser;
 pub use super::material::MaterialCard;
@@ -87,7 +87,7 @@ pub const OUTPUT_FIELDS: &[&str] = &[
 ];
 
 /// The columns that a frame can hold besides where the melt flows.
-pub const FLOW_FIELDS: &[&str] = &["velocity_m_s", "pressure_pa", "is_melt"];
+pub const FLOW_FIELDS: &[&str] = &["velocity_m_s", "marangoni_force_n", "pressure_pa", "is_melt"];
 
 /// The columns that a frame can hold besides where stress is computed.
 pub const STRESS_FIELDS: &[&str] =

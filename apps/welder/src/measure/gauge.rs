@@ -233,6 +233,29 @@ impl Gauge {
         self.cut(axis, at, |node| nodes[node])
     }
 
+    /// `field`, a value of each particle, in the layer of nodes below the top face, mirror images added; `odd` says for the axes
+    /// x and y whether it turns its sign across a mirror plane there.
+    pub fn top_of(&self, field: &[f64], odd: [bool; 2]) -> Map {
+        let mut nodes = vec![0.0; self.now.nodes.len()];
+        self.sampler.read(|particle| field[particle], &mut nodes);
+        let sign = |odd: bool, mirrored: bool| if odd && mirrored { -1.0 } else { 1.0 };
+        let plane = self.low[1];
+        let (nx, ny) = (self.counts[0], self.counts[1]);
+        let own: Vec<f64> = (0..ny).map(|j| self.low[1] + self.spacing * (j as f64 + 0.5)).collect();
+        let below = if self.mirror[1][0] { ny } else { 0 };
+        let images = own.iter().rev().map(|y| 2.0 * plane - y).filter(|_| below > 0);
+        let y: Vec<f64> = images.chain(own.iter().copied()).collect();
+        let row = |row: usize| if row < below { (below - 1 - row, true) } else { (row - below, false) };
+        let mut map = self.unfold(0, y, |at, i| {
+            let (j, mirrored) = row(at);
+            sign(odd[1], mirrored) * nodes[j * nx + i]
+        });
+        for (value, &x) in map.value.iter_mut().zip(map.x.iter().cycle()) {
+            *value *= sign(odd[0], self.mirror[0][0] && x < self.low[0]);
+        }
+        map
+    }
+
     fn cut(&self, axis: usize, at: f64, value: impl Fn(usize) -> f64) -> Map {
         let [nx, ny, nz] = self.counts;
         let along = 1 - axis;

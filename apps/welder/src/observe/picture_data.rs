@@ -19,6 +19,8 @@ pub struct SectionGrid {
     pub value: Vec<f64>,
     /// Levels of the value to draw as lines, with their names, such as "liquidus".
     pub levels: Vec<(f64, &'static str)>,
+    /// What the levels are of, where it is not the value: another field on the same grid, with its unit.
+    pub levels_of: Option<(Vec<f64>, &'static str)>,
 }
 
 /// The pictures of one moment.
@@ -47,6 +49,7 @@ impl SectionGrid {
             quantity: "temperature, K",
             value,
             levels: vec![(933.0, "liquidus"), (873.0, "solidus")],
+            levels_of: None,
         }
     }
 }

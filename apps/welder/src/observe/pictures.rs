@@ -70,6 +70,7 @@ mod tests {
             quantity: "temperature, K",
             value: vec![1.0, 2.0, 3.0, 4.0],
             levels: vec![(2.5, "liquidus")],
+            levels_of: None,
         };
         pictures.every(&view(Some(Pictures { sections: vec![("top".into(), grid)] }))).unwrap();
         assert!(there("top.png") && !there("history.png"));

@@ -50,7 +50,8 @@ fn painted(grid: &SectionGrid) -> Result<Canvas, DrawError> {
     for (index, (level, _)) in grid.levels.iter().enumerate().rev() {
         draw_level(&mut canvas, grid, *level, LINES[index % LINES.len()], &window);
     }
-    let unit = grid.quantity.rsplit(", ").next().unwrap_or_default();
+    let own_unit = grid.quantity.rsplit(", ").next().unwrap_or_default();
+    let unit = grid.levels_of.as_ref().map_or(own_unit, |(_, unit)| unit);
     let entry = |(index, (level, name)): (usize, &(f64, &str))| KeyEntry {
         name: format!("{name} {} {unit}", tidy(*level)),
         strokes: with_halo(LINES[index % LINES.len()]),
@@ -120,7 +121,8 @@ fn draw_level(canvas: &mut Canvas, grid: &SectionGrid, level: f64, line: RGBColo
     let place = |(column, row): (f64, f64)| {
         (f64::from(across.start) + scale_x * column, f64::from(down.end - 1) - scale_y * row)
     };
-    let pieces = contour(&grid.value, columns, level);
+    let field = grid.levels_of.as_ref().map_or(&grid.value, |(field, _)| field);
+    let pieces = contour(field, columns, level);
     // The whole halo first: the halo of a piece must not cover the line of its neighbour.
     for (width, colour) in with_halo(line) {
         pieces.iter().for_each(|&[from, to]| canvas.line(place(from), place(to), width, colour));

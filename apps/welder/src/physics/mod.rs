@@ -137,6 +137,8 @@ pub struct Cost {
     pub pair_visits: u64,
     /// Steps that were taken back because their error was too large.
     pub rejected_steps: u64,
+    /// Steps of the melt within those of the run.
+    pub melt_steps: u64,
 }
 
 /// Why a run could not go on.

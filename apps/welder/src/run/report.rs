@@ -1,7 +1,7 @@
 //! What a weld says at its end: its part of summary.json, and the dimensionless numbers of the physics present.
 
 use super::Simulation;
-use crate::measure::Extent;
+use crate::measure::{Extent, Relief};
 use crate::model::Model;
 use crate::observe::{Energy, Pool, PoolSize, StressEnd, Weld, WeldOutcome};
 use crate::physics::flow::SMOOTHING_RATIO;
@@ -55,7 +55,7 @@ fn sizes(extent: &Extent) -> PoolSize {
 
 /// Dimensionless numbers of the flow, with the largest speed v of the run, half the pool's largest width R and its largest
 /// excess dT over the liquidus: friction_by_numerics, what artificial viscosity adds to eta, over eta; with eta alone reynolds rho v R/eta, cell_reynolds rho v dx/eta, mach v/c of the artificial sound,
-/// marangoni |tau_T| dT R rho c_p/(eta k), weber rho v^2 R/tau.
+/// marangoni |tau_T| dT R rho c_p/(eta k), weber rho v^2 R/tau. With them the steps of the melt, and the relief of the top.
 pub(super) fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
     let (model, records) = (simulation.model(), simulation.records());
     let (Some(flow), true) = (&model.flow, records.liquidus.width > 0.0) else { return BTreeMap::new() };
@@ -68,7 +68,8 @@ pub(super) fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
     let sound = flow.sound_speed(model);
     let length = SMOOTHING_RATIO * model.spacing();
     let added = equivalent_viscosity::<3>(length, sound, flow.settings.artificial_viscosity);
-    let numbers = [
+    let mut numbers = vec![
+        ("melt_steps", simulation.cost().melt_steps as f64),
         ("friction_by_numerics", material.density * added / flow.viscosity),
         ("reynolds", inertia * radius),
         ("cell_reynolds", inertia * model.spacing()),
@@ -76,6 +77,15 @@ pub(super) fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
         ("marangoni", flow.tension.slope().abs() * excess * radius / (flow.viscosity * diffusivity)),
         ("weber", material.density * speed * speed * radius / flow.tension.reference()),
     ];
+    let particles = simulation.particles();
+    let has_melted = |i: usize| model.curves[0].liquid_fraction(particles.peak_enthalpy[i]) >= 1.0;
+    if let Some(relief) = Relief::of(simulation.workpiece(), particles, has_melted) {
+        numbers.extend([
+            ("crown_m", relief.crown),
+            ("dip_m", relief.dip),
+            ("surface_roughness_m", relief.roughness),
+        ]);
+    }
     numbers.into_iter().map(|(name, value)| (name.to_string(), value)).collect()
 }
 

@@ -216,6 +216,7 @@ impl Simulation {
             total.sweeps += cost.sweeps;
             total.pair_visits += cost.pair_visits;
             total.rejected_steps += cost.rejected_steps;
+            total.melt_steps += cost.melt_steps;
         }
         total
     }

@@ -1,6 +1,7 @@
 //! From the simulation of a weld to what its observers see.
 
 use super::{Simulation, StepReport};
+use crate::measure::Map;
 use crate::observe::{HistoryRow, Pictures, SectionGrid};
 use crate::particles::{LIQUID, MUSHY, SOLID};
 use crate::physics::Column;
@@ -59,10 +60,11 @@ pub(super) fn measures(simulation: &Simulation, last: &StepReport) -> HistoryRow
     }
 }
 
-/// Sections through the beam (or the middle), of the finest grid: of temperature with the top face, and of stress where it
-/// is computed.
+/// Sections through the beam (or the middle), of the finest grid: of temperature with the top face, of speed and Marangoni
+/// force where melt flows, and of stress where it is computed.
 pub(super) fn pictures(simulation: &Simulation) -> Pictures {
     let mut sections = temperatures(simulation);
+    sections.extend(flows(simulation));
     sections.extend(stresses(simulation, "stress"));
     Pictures { sections }
 }
@@ -102,10 +104,62 @@ fn stresses(simulation: &Simulation, stem: &str) -> Vec<(String, SectionGrid)> {
             quantity: "von Mises stress, MPa",
             value: map.value,
             levels: Vec::new(),
+            levels_of: None,
         };
         (format!("{stem}_{x_label}"), grid)
     };
     [(0, "x"), (1, "y")].map(section).to_vec()
+}
+
+/// Speed of the melt in sections and from above, and the components of the Marangoni force on it from above, with the outline of the
+/// pool.
+fn flows(simulation: &Simulation) -> Vec<(String, SectionGrid)> {
+    let columns = simulation.columns();
+    let vectors = |wanted: &str| {
+        columns.iter().find_map(|(name, column)| match column {
+            Column::Vector(values) if *name == wanted => Some(values),
+            _ => None,
+        })
+    };
+    let (Some(velocities), Some(forces)) = (vectors("velocity_m_s"), vectors("marangoni_force_n")) else {
+        return Vec::new();
+    };
+    let (gauge, material) = (simulation.gauge(), &simulation.model().materials[0]);
+    let when = format!("t = {:.3} ms", 1e3 * simulation.time());
+    let place = cut(simulation);
+    let grid = |title: String, labels: [&'static str; 2], quantity, map: Map, temperature: Map| SectionGrid {
+        title: format!("{title}, {when}"),
+        x_label: labels[0],
+        y_label: labels[1],
+        x_m: map.x,
+        y_m: map.y,
+        quantity,
+        value: map.value,
+        levels: vec![(material.liquidus, "liquidus")],
+        levels_of: Some((temperature.value, "K")),
+    };
+    let speed: Vec<f64> = velocities.iter().map(|velocity| velocity.norm()).collect();
+    let section = |(along, label): (usize, &'static str)| {
+        let (across, at) = (1 - along, place[1 - along]);
+        let title = format!("Section along {label}");
+        let map = gauge.section_of(&speed, across, at);
+        (format!("speed_{label}"), grid(title, [label, "z"], "speed, m/s", map, gauge.section(across, at)))
+    };
+    let mut pictures = [(0, "x"), (1, "y")].map(section).to_vec();
+    let from_above = |title: &str, quantity, field: &[f64], odd| {
+        grid(title.to_string(), ["x", "y"], quantity, gauge.top_of(field, odd), gauge.top())
+    };
+    pictures.push(("speed_top".into(), from_above("Melt from above", "speed, m/s", &speed, [false; 2])));
+    for (axis, (name, quantity)) in
+        [("x", "force along x, uN"), ("y", "force along y, uN"), ("z", "force along z, uN")]
+            .into_iter()
+            .enumerate()
+    {
+        let micronewtons: Vec<f64> = forces.iter().map(|force| 1e6 * force[axis]).collect();
+        let picture = from_above("Marangoni force", quantity, &micronewtons, [axis == 0, axis == 1]);
+        pictures.push((format!("marangoni_{name}"), picture));
+    }
+    pictures
 }
 
 fn temperatures(simulation: &Simulation) -> Vec<(String, SectionGrid)> {
@@ -114,7 +168,7 @@ fn temperatures(simulation: &Simulation) -> Vec<(String, SectionGrid)> {
     let levels = vec![(material.liquidus, "liquidus"), (material.solidus, "solidus")];
     let [x, y] = cut(simulation);
     let when = format!("t = {:.3} ms", 1e3 * simulation.time());
-    let grid = |title: String, x_label, y_label, map: crate::measure::Map| SectionGrid {
+    let grid = |title: String, x_label, y_label, map: Map| SectionGrid {
         title,
         x_label,
         y_label,
@@ -123,6 +177,7 @@ fn temperatures(simulation: &Simulation) -> Vec<(String, SectionGrid)> {
         quantity: "temperature, K",
         value: map.value,
         levels: levels.clone(),
+        levels_of: None,
     };
     vec![
         (

@@ -286,6 +286,7 @@ impl<const D: usize> FluidPatch<D> {
             masses: &self.masses,
             temperatures: &self.temperatures,
             copies: &self.copies,
+            mirrors: &[],
             list_starts: &self.list.0,
             list_neighbors: &self.list.1,
         };

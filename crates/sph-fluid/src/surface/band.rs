@@ -118,7 +118,7 @@ impl<const D: usize> SurfaceBand<D> {
                 *offset = profile.depth_of_offset(centroid(&row, central).norm());
             }
         });
-        copy_images(&mut self.gradients, fluid, fields.copies);
+        fields.copy_vectors(&mut self.gradients, fluid);
         copy_images(&mut self.colour_depths, fluid, fields.copies);
         copy_images(&mut self.offset_depths, fluid, fields.copies);
     }
@@ -151,7 +151,7 @@ impl<const D: usize> SurfaceBand<D> {
                 };
             },
         );
-        copy_images(normals, fluid, fields.copies);
+        fields.copy_vectors(normals, fluid);
     }
 
     fn find_planes(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
@@ -166,6 +166,9 @@ impl<const D: usize> SurfaceBand<D> {
             }
         });
         copy_images(planes, fluid, fields.copies);
+        for ((normal, _), mirror) in planes[fluid..].iter_mut().zip(fields.mirrors) {
+            normal.component_mul_assign(mirror);
+        }
     }
 
     fn measure_curvature(&mut self, fields: &FluidFields<'_, D>, volumes: &[f64], fluid: usize) {

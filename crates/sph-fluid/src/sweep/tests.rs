@@ -28,6 +28,7 @@ fn evaluated(block: &Block<2>, controls: FluidControls<2>, dt_s: f64) -> (Vec<f6
         masses: &block.masses,
         temperatures: &[],
         copies: &[],
+        mirrors: &[],
         list_starts: &starts,
         list_neighbors: &neighbors,
     };

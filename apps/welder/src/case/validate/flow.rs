@@ -2,7 +2,7 @@
 
 use super::super::card::CardSource;
 use super::super::problem::Problem;
-use super::super::scene::{Face, Flow, Scene, Weights};
+use super::super::scene::{Face, Flow, FlowSchedule, Levels, Scene, Weights};
 use super::findings::Findings;
 use super::plausible::{ARTIFICIAL_VISCOSITY, MELT_SOUND, VISCOSITY_FACTOR};
 
@@ -24,17 +24,19 @@ pub fn check(findings: &mut Findings, scene: &Scene, field: &str, flow: &Flow) {
     findings.require(scene.stress().is_none(), field, reason, "list Flow or Stress");
     for (name, face) in scene.part.faces.named() {
         let place = format!("part.faces.{name}");
-        let reason = "Flow knows no mirror planes yet: compute the whole part";
-        findings.require(
-            face != Face::Symmetry,
-            &place,
-            reason,
-            "accepted with Flow: Adiabatic, Flux or Losses",
-        );
         let held = matches!(face, Face::FixedTemperature { .. });
         let reason = "a face of fixed temperature does not go with particles that move";
-        findings.require(!held, &place, reason, "accepted with Flow: Adiabatic, Flux or Losses");
+        findings.require(!held, &place, reason, "accepted with Flow: Adiabatic, Symmetry, Flux or Losses");
     }
+    let uniform = scene.resolution.levels == Levels::Uniform;
+    let reason = "the reference that steps everything together takes one spacing";
+    let place = format!("{field}.schedule");
+    findings.require(
+        flow.schedule == FlowSchedule::Split || uniform,
+        &place,
+        reason,
+        "accepted with levels of spacing: Split; accepted with levels: Uniform: Split and Together",
+    );
     let weights = scene.heat().map_or(Weights::Auto, |heat| heat.weights);
     let reason = "rows are renewed with normalized weights where the melt moves, which these are not";
     let fine = !matches!(weights, Weights::Plain | Weights::Moving);

@@ -1,5 +1,6 @@
 //! The melt and the solid around it over one step of heat: columns of their own, kick-drift-kick.
 
+use super::copies::{Image, Mirror, images};
 use super::state::State;
 use crate::particles::Particles;
 use nalgebra::Vector3;
@@ -7,6 +8,7 @@ use sph_fluid::{
     FluidControls, FluidFields, FluidSweep, acoustic_step, capillary_step, force_step, viscous_step,
 };
 use sph_neighbors::{NeighborList, PairReach, SearchMethod};
+use std::collections::HashSet;
 
 /// Share of the spacing that two particles may close in by before the list is made anew.
 const SKIN: f64 = 0.4;
@@ -18,12 +20,21 @@ const SHORTEST_STEP: f64 = 1e-3;
 pub(super) struct Melt {
     controls: FluidControls<3>,
     spacing: f64,
+    mirrors: Vec<Mirror>,
+    /// Mass of a particle \[kg\]: one material and one spacing.
+    mass: f64,
     /// A sweep that has seen no particles, to begin a step of heat with.
     fresh: FluidSweep<3>,
     sweep: FluidSweep<3>,
-    /// The particles of the scene: melt, then walls.
+    /// The particles of the scene that flow.
     members: Vec<u32>,
-    fluid: usize,
+    /// Solid that melt can reach in this step of heat, images of it included.
+    walls: Walls,
+    /// Images of melt.
+    copies: Vec<Image>,
+    sources: Vec<u32>,
+    signs: Vec<Vector3<f64>>,
+    /// Columns of melt, its images, and walls.
     positions: Vec<Vector3<f64>>,
     velocities: Vec<Vector3<f64>>,
     densities: Vec<f64>,
@@ -33,16 +44,32 @@ pub(super) struct Melt {
     listed: Vec<Vector3<f64>>,
 }
 
+/// Solid at rest around the melt.
+#[derive(Default)]
+struct Walls {
+    positions: Vec<Vector3<f64>>,
+    temperatures: Vec<f64>,
+}
+
 impl Melt {
-    pub fn new(controls: FluidControls<3>, spacing: f64) -> Result<Self, sph_fluid::Error> {
+    pub fn new(
+        controls: FluidControls<3>,
+        spacing: f64,
+        mirrors: Vec<Mirror>,
+    ) -> Result<Self, sph_fluid::Error> {
         let fresh = FluidSweep::new(controls)?;
         Ok(Self {
             sweep: fresh.clone(),
             fresh,
+            mass: controls.state.reference_density() * spacing.powi(3),
             controls,
             spacing,
+            mirrors,
             members: Vec::new(),
-            fluid: 0,
+            walls: Walls::default(),
+            copies: Vec::new(),
+            sources: Vec::new(),
+            signs: Vec::new(),
             positions: Vec::new(),
             velocities: Vec::new(),
             densities: Vec::new(),
@@ -56,6 +83,11 @@ impl Melt {
     /// Density of the melt without pressure \[kg/m³\].
     pub fn reference_density(&self) -> f64 {
         self.controls.state.reference_density()
+    }
+
+    /// Mass of a particle \[kg\].
+    pub fn mass(&self) -> f64 {
+        self.mass
     }
 
     /// Moves the melt of `particles` over `step` \[s\] at the given temperatures \[K\]; says whether it got there.
@@ -89,6 +121,7 @@ impl Melt {
             }
             self.evaluate(&list, dt, state);
             self.kick(0.5 * dt);
+            state.cost.melt_steps += 1;
             left = if count > 1.0 { left - dt } else { 0.0 };
         }
         self.scatter(particles, state);
@@ -97,80 +130,117 @@ impl Melt {
 
     /// Takes melt, and solid in its reach, out of the scene.
     fn gather(&mut self, particles: &Particles<3>, state: &State, temperatures: &[f64]) {
-        let reach = self.controls.kernel.support_radius() + 2.0 * self.spacing;
-        let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
+        let molten = (0..particles.len() as u32).filter(|&i| state.molten[i as usize]);
         self.members.clear();
-        for i in 0..particles.len() {
-            if state.molten[i] {
-                self.members.push(i as u32);
-                low = low.inf(&particles.position[i]);
-                high = high.sup(&particles.position[i]);
-            }
-        }
-        self.fluid = self.members.len();
-        // Melt keeps its reach away from coarser particles: the gauge sees to that.
-        let near = |i: &u32| {
-            let x = particles.position[*i as usize];
-            particles.spacing[*i as usize] < 1.5 * self.spacing
-                && (0..3).all(|axis| x[axis] > low[axis] - reach && x[axis] < high[axis] + reach)
-        };
-        let solid = (0..particles.len() as u32).filter(|&i| !state.molten[i as usize]);
-        self.members.extend(solid.filter(near));
-        let members = &self.members;
-        let of = |column: &[f64]| -> Vec<f64> { members.iter().map(|&i| column[i as usize]).collect() };
+        self.members.extend(molten);
+        let of = |column: &[f64]| -> Vec<f64> { self.members.iter().map(|&i| column[i as usize]).collect() };
         let vectors = |column: &[Vector3<f64>]| -> Vec<Vector3<f64>> {
-            members.iter().map(|&i| column[i as usize]).collect()
+            self.members.iter().map(|&i| column[i as usize]).collect()
         };
         self.positions = vectors(&particles.position);
         self.velocities = vectors(&state.velocities);
         self.densities = of(&state.densities);
-        self.masses = of(&particles.mass);
         self.temperatures = of(temperatures);
-        self.accelerations = vec![Vector3::zeros(); self.fluid];
+        self.accelerations = vec![Vector3::zeros(); self.members.len()];
+        // Melt moves by a part of a spacing in a step of heat.
+        let reach = self.controls.kernel.support_radius() + self.spacing;
+        let near = Nearby::new(&self.positions, reach);
+        let is_wall = |&i: &usize| {
+            // Melt keeps its reach away from coarser particles: the gauge sees to that.
+            !state.molten[i]
+                && particles.spacing[i] < 1.5 * self.spacing
+                && near.holds(&particles.position[i])
+        };
+        let walls: Vec<usize> = (0..particles.len()).filter(is_wall).collect();
+        self.walls.positions = walls.iter().map(|&i| particles.position[i]).collect();
+        self.walls.temperatures = walls.iter().map(|&i| temperatures[i]).collect();
+        for image in images(&self.walls.positions, &self.mirrors, reach) {
+            let source = image.source as usize;
+            self.walls.positions.push(image.place(&self.walls.positions[source]));
+            self.walls.temperatures.push(self.walls.temperatures[source]);
+        }
     }
 
     fn scatter(&self, particles: &mut Particles<3>, state: &mut State) {
         state.pressures.fill(0.0);
-        for (k, &i) in self.members[..self.fluid].iter().enumerate() {
+        state.marangoni.fill(Vector3::zeros());
+        for (k, &i) in self.members.iter().enumerate() {
             let i = i as usize;
             particles.position[i] = self.positions[k];
             state.velocities[i] = self.velocities[k];
             state.densities[i] = self.densities[k];
             state.pressures[i] = self.sweep.pressures()[k];
+            if let Some(force) = self.sweep.marangoni_forces().get(k) {
+                state.marangoni[i] = force * (self.mass / self.densities[k]);
+            }
         }
     }
 
+    /// Images and neighbours where the melt is now; the columns take images and walls behind the melt.
     fn list(&mut self) -> NeighborList {
-        self.listed.clear();
-        self.listed.extend_from_slice(&self.positions[..self.fluid]);
+        let fluid = self.members.len();
         let reach = self.controls.kernel.support_radius() + SKIN * self.spacing;
+        self.listed.clear();
+        self.listed.extend_from_slice(&self.positions[..fluid]);
+        self.copies = images(&self.listed, &self.mirrors, reach);
+        self.sources = self.copies.iter().map(|image| image.source).collect();
+        self.signs = self.copies.iter().map(|image| image.signs).collect();
+        let (mobile, all) =
+            (fluid + self.copies.len(), fluid + self.copies.len() + self.walls.positions.len());
+        self.positions.truncate(fluid);
+        self.positions.resize(mobile, Vector3::zeros());
+        self.positions.extend_from_slice(&self.walls.positions);
+        self.velocities.truncate(fluid);
+        self.velocities.resize(all, Vector3::zeros());
+        self.densities.truncate(fluid);
+        self.densities.resize(all, self.reference_density());
+        self.temperatures.truncate(fluid);
+        for image in &self.copies {
+            self.temperatures.push(self.temperatures[image.source as usize]);
+        }
+        self.temperatures.extend_from_slice(&self.walls.temperatures);
+        self.masses.clear();
+        self.masses.resize(all, self.mass);
+        self.move_copies();
         // Positions that are no numbers any more find nobody; the run is stopped after this step.
         SearchMethod::default()
             .find(&self.positions, PairReach::Uniform(reach))
             .unwrap_or_else(|_| NeighborList::default())
     }
 
+    /// Images follow what they show.
+    fn move_copies(&mut self) {
+        let fluid = self.members.len();
+        for (k, image) in self.copies.iter().enumerate() {
+            let source = image.source as usize;
+            self.positions[fluid + k] = image.place(&self.positions[source]);
+            self.velocities[fluid + k] = self.velocities[source].component_mul(&image.signs);
+        }
+    }
+
     fn moved_far(&self) -> bool {
         let far = 0.5 * SKIN * self.spacing;
-        self.positions[..self.fluid].iter().zip(&self.listed).any(|(now, then)| (now - then).norm() > far)
+        self.positions.iter().zip(&self.listed).any(|(now, then)| (now - then).norm() > far)
     }
 
     fn evaluate(&mut self, list: &NeighborList, dt: f64, state: &mut State) {
         if list.starts().len() != self.positions.len() + 1 {
             return;
         }
+        self.move_copies();
         let fields = FluidFields {
             positions: &self.positions,
             velocities: &self.velocities,
             masses: &self.masses,
             temperatures: &self.temperatures,
-            copies: &[],
+            copies: &self.sources,
+            mirrors: &self.signs,
             list_starts: list.starts(),
             list_neighbors: list.indices(),
         };
         self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
         state.cost.sweeps += 2;
-        state.cost.pair_visits += 2 * list.starts()[self.fluid] as u64;
+        state.cost.pair_visits += 2 * list.starts()[self.members.len()] as u64;
     }
 
     fn shortest_step(&self) -> f64 {
@@ -180,20 +250,20 @@ impl Melt {
 
     /// The shortest of the limits of sound, viscosity, tension and force \[s\].
     fn longest_step(&self) -> f64 {
+        let fastest = self.velocities[..self.members.len()].iter().map(Vector3::norm).fold(0.0, f64::max);
+        let strongest = self.accelerations.iter().map(Vector3::norm).fold(0.0, f64::max);
+        self.steady_step(fastest).min(force_step(self.controls.kernel.smoothing_length(), strongest))
+    }
+
+    /// The same without forces, for melt whose fastest particle goes at `fastest` \[m/s\].
+    pub fn steady_step(&self, fastest: f64) -> f64 {
         let length = self.controls.kernel.smoothing_length();
         let density = self.reference_density();
-        let fastest = self.velocities[..self.fluid].iter().map(Vector3::norm).fold(0.0, f64::max);
-        let strongest = self.accelerations.iter().map(Vector3::norm).fold(0.0, f64::max);
         let tension = self.controls.surface_tension.map_or(0.0, |tension| tension.reference());
         // Kick-drift-kick is stable to twice the acoustic limit, and as accurate there.
-        [
-            2.0 * acoustic_step(length, self.controls.state.reference_sound_speed(), fastest),
-            viscous_step(length, self.controls.dynamic_viscosity / density),
-            capillary_step(length, density, tension),
-            force_step(length, strongest),
-        ]
-        .into_iter()
-        .fold(f64::INFINITY, f64::min)
+        (2.0 * acoustic_step(length, self.controls.state.reference_sound_speed(), fastest))
+            .min(viscous_step(length, self.controls.dynamic_viscosity / density))
+            .min(capillary_step(length, density, tension))
     }
 
     fn kick(&mut self, dt: f64) {
@@ -203,12 +273,39 @@ impl Melt {
     }
 
     fn drift(&mut self, dt: f64) {
-        for i in 0..self.fluid {
+        for i in 0..self.members.len() {
             self.positions[i] += self.velocities[i] * dt;
         }
         for (position, shift) in self.positions.iter_mut().zip(self.sweep.shift_velocities()) {
             *position += shift * dt;
         }
+    }
+}
+
+/// Cells of the edge `reach` that melt is in or next to: who is in none of them is farther than `reach` from all of it.
+struct Nearby {
+    reach: f64,
+    cells: HashSet<[i64; 3]>,
+}
+
+impl Nearby {
+    fn new(melt: &[Vector3<f64>], reach: f64) -> Self {
+        let mut nearby = Self { reach, cells: HashSet::new() };
+        let homes: HashSet<[i64; 3]> = melt.iter().map(|x| nearby.cell(x)).collect();
+        for home in homes {
+            for n in 0..27 {
+                nearby.cells.insert([home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1]);
+            }
+        }
+        nearby
+    }
+
+    fn cell(&self, x: &Vector3<f64>) -> [i64; 3] {
+        std::array::from_fn(|axis| (x[axis] / self.reach).floor() as i64)
+    }
+
+    fn holds(&self, x: &Vector3<f64>) -> bool {
+        self.cells.contains(&self.cell(x))
     }
 }
 
@@ -227,12 +324,18 @@ mod tests {
         let mut particles = Particles::<3> {
             position: (0..64).map(place).collect(),
             mass: vec![2500.0 * spacing.powi(3); 64],
+            spacing: vec![spacing; 64],
             ..Particles::default()
         };
         let mut state = State::at_rest(64, 2500.0);
         state.molten.fill(true);
         state.velocities.fill(Vector3::new(speed, 0.0, 0.0));
-        Melt::new(controls, spacing).unwrap().advance(&mut particles, &mut state, &[1000.0; 64], 1e-5)
+        Melt::new(controls, spacing, Vec::new()).unwrap().advance(
+            &mut particles,
+            &mut state,
+            &[1000.0; 64],
+            1e-5,
+        )
     }
 
     #[test]

@@ -4,11 +4,13 @@
 //! A particle melts and freezes in place. It carries its enthalpy with it, so that flow changes no energy of heat; what it takes
 //! is the new neighbourhood, which heat finds anew after each step ([`Physics::rearrange`]).
 
+mod copies;
 mod melt;
 mod state;
 
 use super::{Column, Cost, Exchange, Failure, Mechanics, Physics};
 use crate::build::Workpiece;
+use crate::case::scene::FlowSchedule;
 use crate::model::{FlowModel, Model, ModelError};
 use crate::particles::Particles;
 use melt::Melt;
@@ -47,8 +49,8 @@ pub struct Flow {
     state: State,
     curve: EnthalpyCurve,
     spacing: f64,
-    /// Mass of a particle: one material and one spacing \[kg\].
-    mass: f64,
+    /// Whether heat takes the steps of the melt.
+    together: bool,
     /// Low and high corner of the part \[m\].
     bounds: [Vector3<f64>; 2],
     /// Artificial speed of sound \[m/s\].
@@ -76,11 +78,11 @@ impl Flow {
         };
         let count = workpiece.particles.len();
         Ok(Self {
-            melt: Melt::new(controls, spacing)?,
+            melt: Melt::new(controls, spacing, mirrors(model))?,
             state: State::at_rest(count, density),
             curve: model.curves[0].clone(),
             spacing,
-            mass: density * spacing.powi(3),
+            together: flow.settings.schedule == FlowSchedule::Together,
             bounds: [workpiece.low.into(), workpiece.high.into()],
             sound_speed,
             temperatures: vec![0.0; count],
@@ -128,6 +130,16 @@ impl Flow {
     }
 }
 
+/// The symmetry planes of a part.
+fn mirrors(model: &Model) -> Vec<(usize, f64)> {
+    let (bounds, mirrored) = (<[[f64; 3]; 2]>::from(model.bounds()), model.mirrored());
+    let sides = [0, 1].into_iter().flat_map(|axis| [0, 1].map(|side| (axis, side)));
+    sides
+        .filter(|&(axis, side)| mirrored[axis][side])
+        .map(|(axis, side)| (axis, bounds[side][axis]))
+        .collect()
+}
+
 impl Physics<3> for Flow {
     fn name(&self) -> &'static str {
         "flow"
@@ -135,9 +147,12 @@ impl Physics<3> for Flow {
 
     /// Steps of heat are so short that melt stays among the neighbours that heat knows.
     fn step_limit(&self, _time: f64) -> StepLimit {
-        let fastest = self.state.largest_speed().max(1e-3 * self.sound_speed);
-        let dt_s =
-            if self.state.any_molten() { LARGEST_MOVE * self.spacing / fastest } else { f64::INFINITY };
+        let fastest = self.state.largest_speed();
+        let dt_s = match (self.state.any_molten(), self.together) {
+            (false, _) => f64::INFINITY,
+            (true, true) => self.melt.steady_step(fastest),
+            (true, false) => LARGEST_MOVE * self.spacing / fastest.max(1e-3 * self.sound_speed),
+        };
         StepLimit { name: "flow", dt_s }
     }
 
@@ -171,7 +186,7 @@ impl Physics<3> for Flow {
 
     fn mechanics(&self) -> Option<Mechanics> {
         let squares = self.state.velocities.iter().map(Vector3::norm_squared);
-        let kinetic = 0.5 * self.mass * squares.sum::<f64>();
+        let kinetic = 0.5 * self.melt.mass() * squares.sum::<f64>();
         Some(Mechanics { kinetic, largest_speed: self.state.largest_speed(), ..Mechanics::default() })
     }
 
@@ -179,6 +194,7 @@ impl Physics<3> for Flow {
         let molten = self.state.molten.iter().map(|&molten| f64::from(u8::from(molten))).collect();
         vec![
             ("velocity_m_s", Column::Vector(self.state.velocities.clone())),
+            ("marangoni_force_n", Column::Vector(self.state.marangoni.clone())),
             ("pressure_pa", Column::Scalar(self.state.pressures.clone())),
             ("is_melt", Column::Scalar(molten)),
         ]

@@ -15,6 +15,8 @@ pub(super) struct State {
     pub densities: Vec<f64>,
     /// Pressures at the last step; zero where nothing flows \[Pa\].
     pub pressures: Vec<f64>,
+    /// Marangoni force on each particle at the last step \[N\].
+    pub marangoni: Vec<Vector3<f64>>,
     /// Work so far.
     pub cost: Cost,
 }
@@ -26,6 +28,7 @@ struct Saved {
     velocities: Vec<[f64; 3]>,
     densities: Vec<f64>,
     pressures: Vec<f64>,
+    marangoni: Vec<[f64; 3]>,
     cost: Cost,
 }
 
@@ -37,6 +40,7 @@ impl State {
             velocities: vec![Vector3::zeros(); count],
             densities: vec![density; count],
             pressures: vec![0.0; count],
+            marangoni: vec![Vector3::zeros(); count],
             cost: Cost::default(),
         }
     }
@@ -58,6 +62,7 @@ impl State {
             velocities: self.velocities.iter().map(|&velocity| velocity.into()).collect(),
             densities: self.densities.clone(),
             pressures: self.pressures.clone(),
+            marangoni: self.marangoni.iter().map(|&force| force.into()).collect(),
             cost: self.cost,
         };
         postcard::to_stdvec(&saved).expect("numbers and columns always serialise")
@@ -70,8 +75,13 @@ impl State {
     pub fn restore(saved: &[u8], like: &Self) -> Result<Self, String> {
         let saved: Saved = postcard::from_bytes(saved).map_err(|error| format!("flow: {error}"))?;
         let count = like.molten.len();
-        let lengths =
-            [saved.molten.len(), saved.velocities.len(), saved.densities.len(), saved.pressures.len()];
+        let lengths = [
+            saved.molten.len(),
+            saved.velocities.len(),
+            saved.densities.len(),
+            saved.pressures.len(),
+            saved.marangoni.len(),
+        ];
         if lengths.iter().any(|&length| length != count) {
             return Err(format!("flow: it is of {} particles; the case has {count}", saved.molten.len()));
         }
@@ -80,6 +90,7 @@ impl State {
             velocities: saved.velocities.into_iter().map(Vector3::from).collect(),
             densities: saved.densities,
             pressures: saved.pressures,
+            marangoni: saved.marangoni.into_iter().map(Vector3::from).collect(),
             cost: saved.cost,
         })
     }

@@ -11,7 +11,7 @@ use super::{Cost, Exchange, Failure, Physics};
 use crate::build::{
     Members, Neighborhood, PairReport, Workpiece, conduction_rows, mirrors, pair_table, smoothing_ratio,
 };
-use crate::case::scene::{ConductivityMean, Face, KernelShape, Weights};
+use crate::case::scene::{ConductivityMean, Face, FlowSchedule, KernelShape, Weights};
 use crate::model::{Model, ModelError};
 use crate::particles::Particles;
 use deposit::Deposit;
@@ -374,6 +374,9 @@ impl Physics<3> for Heat {
 
     fn rearrange(&mut self, model: &Model, workpiece: &Workpiece) -> Result<(), ModelError> {
         let Some(renewed) = &mut self.renewed else { return Ok(()) };
+        if model.flow.is_some_and(|flow| flow.settings.schedule == FlowSchedule::Together) {
+            renewed.restore(vec![true; workpiece.particles.len()]);
+        }
         let mut chunks = renewed.renew(workpiece)?;
         chunks.iter_mut().for_each(|row| *row /= LANES as u32);
         chunks.dedup();

@@ -138,6 +138,7 @@ impl<const D: usize> Fluid<D> {
             masses: &self.masses,
             temperatures: &[],
             copies: &[],
+            mirrors: &[],
             list_starts: &self.list.0,
             list_neighbors: &self.list.1,
         };
