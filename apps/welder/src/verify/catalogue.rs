@@ -5,11 +5,11 @@ use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
-use super::melt::{cavities, channels, drops, layers, vortices, waters};
+use super::melt::{cavities, channels, drops, layers, pools, surfaces, vortices, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 52] = [
+static BENCHMARKS: &[Benchmark] = &[
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -33,6 +33,13 @@ static BENCHMARKS: [Benchmark; 52] = [
     layers::RETURN_FLOW,
     layers::CLOSED_LAYER,
     cavities::RE_100,
+    pools::RESTING,
+    pools::HALF_DISC,
+    pools::HALF_SPHERE,
+    pools::HOT,
+    surfaces::PLANE,
+    surfaces::CIRCLE,
+    surfaces::SPHERE,
     waves::PRESSURE,
     waves::SHEAR,
     waves::BAR,
@@ -60,13 +67,14 @@ static BENCHMARKS: [Benchmark; 52] = [
     cycles::WITH_FLOW,
     gate::BENCHMARK,
     round_off::LEDGER,
+    round_off::MELT_MOMENTUM,
     round_off::THREADS,
     round_off::RESUME,
 ];
 
 /// All benchmarks.
 pub fn benchmarks() -> &'static [Benchmark] {
-    &BENCHMARKS
+    BENCHMARKS
 }
 
 #[cfg(test)]

@@ -140,6 +140,17 @@ impl ClosedLayer {
         self.patch.run_to(time, 0.5 * 1.5 * self.patch.spacing() / 30.0);
     }
 
+    /// Mean height of the upper row: of the topmost particle in each of six parts of the layer \[H\].
+    #[must_use]
+    pub fn height(&self) -> f64 {
+        let mut tops = [0.0_f64; LENGTH];
+        for position in self.patch.positions() {
+            let part = (position.x.max(0.0) as usize).min(LENGTH - 1);
+            tops[part] = tops[part].max(position.y);
+        }
+        tops.iter().sum::<f64>() / LENGTH as f64
+    }
+
     /// Surface speed over Birikh's in the middle 30 % of the layer, and the L2 error of the velocities there.
     #[must_use]
     pub fn middle(&self) -> (f64, f64) {

@@ -7,6 +7,8 @@ pub mod drop;
 mod fit;
 mod lattice;
 pub mod layer;
+pub mod measure;
+pub mod momentum;
 pub mod pool;
 pub mod shapes;
 pub mod tank;

@@ -3,6 +3,8 @@
 mod cavity;
 mod drop;
 mod layer;
+mod measure;
+mod momentum;
 mod patch;
 mod pool;
 mod shapes;

@@ -46,18 +46,40 @@ pub(in super::super) const RETURN_FLOW: Benchmark = Benchmark {
 pub(in super::super) const CLOSED_LAYER: Benchmark = Benchmark {
     name: "melt/closed-layer",
     tested_crate: "sph-fluid",
-    reference: "Birikh (1966) in the middle of a layer of length 6 between end walls, t = 28",
-    quantities: &[Quantity {
-        suffix: "",
-        text: "speed of the surface in the middle, relative; resolution: rows",
-        marks: &[Mark { resolution: 8.0, error: 0.05 }],
-    }],
+    reference: "Birikh (1966) in the middle of a layer of length 6 between end walls",
+    quantities: &[
+        Quantity {
+            suffix: "",
+            text: "speed of the surface in the middle at t = 28, relative; resolution: rows",
+            marks: &[Mark { resolution: 8.0, error: 0.05 }],
+        },
+        Quantity {
+            suffix: "late",
+            text: "the same at t = 56",
+            marks: &[Mark { resolution: 8.0, error: 0.05 }],
+        },
+        Quantity {
+            suffix: "growth",
+            text: "L2 error of the velocities in the middle at t = 56 less that at t = 28, of their L2 norm; below zero it \
+                   falls",
+            marks: &[Mark { resolution: 8.0, error: 0.02 }],
+        },
+        Quantity {
+            suffix: "thickness",
+            text: "change of the mean height of the upper row between t = 28 and 56, over the layer's",
+            marks: &[Mark { resolution: 8.0, error: 0.01 }],
+        },
+    ],
     resolutions: [8.0, 10.0, 12.0],
     quick: 1,
     run: |resolution| {
         let mut layer = ClosedLayer::new(resolution as usize, Some(Renewal::default()), true, find)?;
-        layer.run_to(28.0);
-        let (ratio, _) = layer.middle();
-        Ok(outcome(&layer.patch, vec![(ratio - 1.0).abs()]))
+        let [early, late] = [28.0, 56.0].map(|time| {
+            layer.run_to(time);
+            let (ratio, field) = layer.middle();
+            [(ratio - 1.0).abs(), field, layer.height()]
+        });
+        let errors = vec![early[0], late[0], late[1] - early[1], (late[2] - early[2]).abs()];
+        Ok(outcome(&layer.patch, errors))
     },
 };

@@ -4,6 +4,8 @@ pub(super) mod cavities;
 pub(super) mod channels;
 pub(super) mod drops;
 pub(super) mod layers;
+pub(super) mod pools;
+pub(super) mod surfaces;
 pub(super) mod vortices;
 pub(super) mod waters;
 

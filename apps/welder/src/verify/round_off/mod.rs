@@ -1,10 +1,12 @@
-//! Promises that hold to the last bits: the energy ledger, and the same bits on any number of threads and after a stop.
+//! Promises that hold to the last bits: the energy ledger, the melt's momentum, and the same bits on any number of threads and after a stop.
 
 mod ledger;
+mod momentum;
 mod resume;
 mod threads;
 
 pub(super) use ledger::BENCHMARK as LEDGER;
+pub(super) use momentum::BENCHMARK as MELT_MOMENTUM;
 pub(super) use resume::BENCHMARK as RESUME;
 pub(super) use threads::BENCHMARK as THREADS;
 

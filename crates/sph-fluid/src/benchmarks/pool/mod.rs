@@ -62,7 +62,7 @@ pub struct PoolMeans {
 }
 
 impl<const D: usize> Pool<D> {
-    /// A pool cut out of a lattice, in a solid one support thick; `temperature` at a place \[K\].
+    /// A pool cut out of a lattice, in a solid one support thick. Tension alone holds it: it wants renewal, and keeps plain gradients.
     ///
     /// # Errors
     /// [`Error`] of the sweep.
@@ -142,6 +142,14 @@ impl<const D: usize> Pool<D> {
         let spacing = self.patch.spacing();
         let outside = |place: &SVector<f64, D>| (place.norm() - RADIUS).max(place[D - 1]) / spacing;
         self.patch.positions().iter().map(outside).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Share of particles that lie more than some spacings outside the pool.
+    #[must_use]
+    pub fn share_outside(&self, spacings: f64) -> f64 {
+        let limit = spacings * self.patch.spacing();
+        let outside = |place: &&SVector<f64, D>| place.norm() - RADIUS > limit || place[D - 1] > limit;
+        self.patch.positions().iter().filter(outside).count() as f64 / self.patch.positions().len() as f64
     }
 
     fn step(&self) -> f64 {
