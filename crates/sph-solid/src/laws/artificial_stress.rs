@@ -20,11 +20,19 @@ pub fn artificial_stress<const D: usize>(
     density: f64,
     factor: f64,
 ) -> SMatrix<f64, D, D> {
+    let scale = -factor / (density * density);
+    // Where all of it pulls, or nothing does, there is no need for axes.
+    if factor == 0.0 || (-stress).cholesky().is_some() {
+        return SMatrix::zeros();
+    }
+    if stress.cholesky().is_some() {
+        return stress * scale;
+    }
     let (values, axes) = symmetric_eigen(*stress);
     let mut sum = SMatrix::zeros();
     for k in 0..D {
         let axis = axes.column(k).into_owned();
-        sum += axis * axis.transpose() * (-factor * values[k].max(0.0) / (density * density));
+        sum += axis * axis.transpose() * (values[k].max(0.0) * scale);
     }
     sum
 }

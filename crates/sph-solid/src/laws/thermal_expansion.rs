@@ -39,6 +39,12 @@ impl ThermalExpansion {
         Self::new(density, temperature_k, &[(temperature_k, alpha)])
     }
 
+    /// rho_0 \[kg/m^3\]: the density at the temperature that it was given for.
+    #[must_use]
+    pub fn density(&self) -> f64 {
+        self.density
+    }
+
     /// alpha at `temperature_k` \[1/K\].
     #[must_use]
     pub fn coefficient(&self, temperature_k: f64) -> f64 {

@@ -6,7 +6,7 @@
 //! sums run in an order that does not depend on the number of threads. Sort particles in space, or most pairs cross.
 
 use super::lanes::{Columns, Lanes};
-use sph_kernel::{Row, ScaledKernel};
+use sph_kernel::Row;
 
 /// Particles in a block: what two passes touch of a block in 3-D (about 0.3 MB) stays in the second-level cache.
 pub(crate) const BLOCK: usize = 2048;
@@ -23,30 +23,12 @@ pub(crate) struct Links {
     weights: Vec<Lanes>,
 }
 
-/// What [`Links::push_listed`] works in.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct ListBuffer {
-    inside: Vec<u32>,
-    across: Vec<u32>,
-    distances: Vec<f64>,
-    values: Vec<f64>,
-    factors: Vec<f64>,
-}
-
 impl Links {
     /// For rows from particle `first` on, of which `particles` are expected.
     pub fn new(first: usize, particles: usize) -> Self {
         let mut starts = Vec::with_capacity(particles + 1);
         starts.push(0);
         Self { first, starts, splits: Vec::with_capacity(particles), others: Vec::new(), weights: Vec::new() }
-    }
-
-    /// Forgets all rows, but keeps the memory.
-    pub fn clear(&mut self) {
-        self.starts.truncate(1);
-        self.splits.clear();
-        self.others.clear();
-        self.weights.clear();
     }
 
     /// Appends the row of the next particle.
@@ -57,94 +39,6 @@ impl Links {
         self.splits.push(self.others.len());
         self.append(row, volumes, |j| !inside(j));
         self.starts.push(self.others.len());
-    }
-
-    /// Appends the row of the next particle from its list, which may have a skin; `places` are present positions \[m\] with
-    /// volumes \[m^D\] beside.
-    pub fn push_listed<const D: usize>(
-        &mut self,
-        list: &[u32],
-        places: &[Lanes],
-        kernel: &ScaledKernel<D>,
-        buffer: &mut ListBuffer,
-    ) {
-        let index = self.first + self.splits.len();
-        let block = index / BLOCK;
-        let ListBuffer { inside, across, distances, .. } = buffer;
-        inside.resize(list.len().max(inside.len()), 0);
-        across.resize(list.len().max(across.len()), 0);
-        // Sorted by index before any distance is taken: half of the list is another row's work. Written always and kept
-        // only if wanted, here and below: no branch to mispredict.
-        let (mut later, mut others) = (0, 0);
-        for &j in list {
-            let here = j as usize / BLOCK == block;
-            inside[later] = j;
-            later += usize::from(here && j as usize > index);
-            across[others] = j;
-            others += usize::from(!here);
-        }
-        let start = self.others.len();
-        distances.clear();
-        let limit = kernel.support_radius();
-        self.append_near(index, &inside[..later], places, limit, distances);
-        self.splits.push(self.others.len());
-        self.append_near(index, &across[..others], places, limit, distances);
-        self.starts.push(self.others.len());
-        self.weigh(start, places[index].scalar(), kernel, buffer);
-    }
-
-    /// Appends those of the candidates that are nearer than `limit` \[m\]: separations with minus the volume of j beside,
-    /// not yet weights.
-    #[inline]
-    fn append_near(
-        &mut self,
-        index: usize,
-        candidates: &[u32],
-        places: &[Lanes],
-        limit: f64,
-        distances: &mut Vec<f64>,
-    ) {
-        let (start, nearer) = (self.others.len(), distances.len());
-        self.others.resize(start + candidates.len(), 0);
-        self.weights.resize(start + candidates.len(), Lanes::default());
-        distances.resize(nearer + candidates.len(), 0.0);
-        let (others, weights) = (&mut self.others[start..], &mut self.weights[start..]);
-        let mut here = places[index];
-        here.0[3] = 0.0;
-        let mut count = 0;
-        for &j in candidates {
-            let apart = here - places[j as usize];
-            let [x, y, z, _] = apart.0;
-            let distance_squared = x * x + y * y + z * z;
-            others[count] = j;
-            weights[count] = apart;
-            distances[nearer + count] = distance_squared;
-            count += usize::from(distance_squared < limit * limit);
-        }
-        self.others.truncate(start + count);
-        self.weights.truncate(start + count);
-        distances.truncate(nearer + count);
-    }
-
-    /// Makes weights of the separations from `start` on, for a row with this volume.
-    #[inline]
-    fn weigh<const D: usize>(
-        &mut self,
-        start: usize,
-        volume: f64,
-        kernel: &ScaledKernel<D>,
-        buffer: &mut ListBuffer,
-    ) {
-        let ListBuffer { distances, values, factors, .. } = buffer;
-        distances.iter_mut().for_each(|distance| *distance = distance.sqrt());
-        values.resize(distances.len(), 0.0);
-        factors.resize(distances.len(), 0.0);
-        kernel.evaluate_slice(distances, values, factors);
-        for (weight, factor) in self.weights[start..].iter_mut().zip(factors) {
-            let stiffness = weight.scalar() * (volume * *factor);
-            *weight = *weight * -stiffness;
-            weight.0[3] = stiffness;
-        }
     }
 
     fn append<const D: usize>(&mut self, row: &Row<'_, D>, volumes: &[f64], kept: impl Fn(usize) -> bool) {

@@ -78,6 +78,8 @@ pub struct DampingColumns<'a, const D: usize> {
     pub gradients: &'a [SMatrix<f64, D, D>],
     /// Speed of the pressure wave \[m/s\].
     pub wave_speed: f64,
+    /// Density rho_0 that the wave speed belongs to \[kg/m^3\].
+    pub reference_density: f64,
 }
 
 /// -sum_j m_j Pi_ij grad_i W \[m/s^2\], Monaghan's viscosity ([`ArtificialViscosity::pair`]).
@@ -101,7 +103,7 @@ pub fn viscous_acceleration<const D: usize>(
     sum
 }
 
-/// -sum_j m_j b c_P h/rho |f| (v_ij - (L_i + L_j)/2 r_ij) \[m/s^2\], viscosity on what the velocity gradients do not see.
+/// -sum_j m_j b c_P h/rho_0 |f| (v_ij - (L_i + L_j)/2 r_ij) \[m/s^2\], viscosity on what the velocity gradients do not see.
 ///
 /// Zero for linear velocities. The corrected form needs it with `coefficient` b = 0.4 at h/dx 1.2: under stress the moving
 /// kernel gives zero-energy modes a negative stiffness, which burns 27 % of a plate's energy in half a period with 20
@@ -119,8 +121,7 @@ pub fn hourglass_viscosity<const D: usize>(
         let j = neighbor as usize;
         let mean = (columns.gradients[i] + columns.gradients[j]) * 0.5;
         let unseen = columns.velocities[i] - columns.velocities[j] - mean * row.separations[k];
-        let density = 0.5 * (columns.densities[i] + columns.densities[j]);
-        sum += unseen * (columns.masses[j] * row.gradient_factors[k] / density);
+        sum += unseen * (columns.masses[j] * row.gradient_factors[k]);
     }
-    sum * (coefficient * columns.wave_speed * kernel.smoothing_length())
+    sum * (coefficient * columns.wave_speed * kernel.smoothing_length() / columns.reference_density)
 }

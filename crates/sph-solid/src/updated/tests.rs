@@ -12,6 +12,7 @@ use sph_neighbors::{NeighborList, PairReach, SearchMethod};
 
 const DT: f64 = 0.01;
 const TEMPERATURE: f64 = 293.0;
+const REFERENCE_DENSITY: f64 = 1.02;
 
 /// A number in -1..1 that looks random.
 fn noise(seed: usize) -> f64 {
@@ -49,7 +50,7 @@ impl<const D: usize> Block<D> {
             densities: particles.clone().map(|k| 1.0 + 0.05 * noise(k + 57)).collect(),
             deviators: particles.map(deviator).collect(),
             list,
-            material: Material::elastic(moduli, 1.0).unwrap(),
+            material: Material::elastic(moduli, REFERENCE_DENSITY).unwrap(),
         }
     }
 
@@ -100,7 +101,7 @@ impl<const D: usize> Block<D> {
             tensors.push(stress * correction / (density * density));
             repulsions.push(artificial_stress(&stress, density, controls.artificial_stress));
         }
-        let wave_speed = pressure_wave_speed(self.material.solver_moduli(), densities[0]);
+        let wave_speed = pressure_wave_speed(self.material.solver_moduli(), REFERENCE_DENSITY);
         let (masses, kernel) = (&self.masses, &controls.kernel);
         let columns = DampingColumns {
             masses,
@@ -108,6 +109,7 @@ impl<const D: usize> Block<D> {
             velocities: &self.velocities,
             gradients: &gradients,
             wave_speed,
+            reference_density: REFERENCE_DENSITY,
         };
         let at_spacing = kernel.value(controls.spacing);
         for i in 0..particles {
