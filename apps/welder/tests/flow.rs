@@ -10,6 +10,11 @@ use welder::run::Simulation;
 
 /// A spot that melts a pool into a small block, with the given list of physics and change of tension with temperature.
 fn spot(physics: &str, slope: &str) -> Simulation {
+    spot_of(physics, slope, "50e-6", "1.2e-3")
+}
+
+/// The same with a spacing and an end \[s\].
+fn spot_of(physics: &str, slope: &str, spacing: &str, end: &str) -> Simulation {
     let folder = tempfile::tempdir().unwrap();
     let materials = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/materials/aluminium-model.ron");
     let metal = std::fs::read_to_string(Path::new(materials)).unwrap().replace("-3.5e-4", slope);
@@ -18,7 +23,7 @@ fn spot(physics: &str, slope: &str) -> Simulation {
         "(part: (low_corner_m: (-0.6e-3, -0.6e-3), size_m: (1.2e-3, 1.2e-3, 0.5e-3), material: \"metal.ron\", \
          start_k: 600.0), laser: (beam: Gaussian(radius_1e2_m: 0.35e-3), absorption: Surface(absorptivity: 0.4), \
          path: Spot(position_m: (0.0, 0.0), pulse: Constant(start_s: 0.0, duration_s: 1.2e-3, power_w: 500.0))), \
-         resolution: (spacing_m: 50e-6, levels: Uniform), physics: {physics}, time: (end_s: 1.2e-3))"
+         resolution: (spacing_m: {spacing}, levels: Uniform), physics: {physics}, time: (end_s: {end}, stop_when_solid: true))"
     );
     let path = folder.path().join("scene.ron");
     std::fs::write(&path, scene).unwrap();
@@ -90,4 +95,45 @@ fn marangoni_flow_goes_where_tension_grows_and_closes_the_ledger() {
     let (wide, deep) = (shape(&out), shape(&inwards));
     println!("driven pools: depth over width {wide:.3} outwards, {deep:.3} inwards");
     assert!(deep > 1.1 * wide, "{wide} {deep}");
+}
+
+#[test]
+fn flow_and_stress_together_leave_the_solid_what_stress_alone_leaves_it() {
+    let coarse = |physics: &str| {
+        let mut simulation = spot_of(physics, "-3.5e-4", "100e-6", "3e-3");
+        simulation.run_quietly().unwrap();
+        simulation
+    };
+    let (all, still) =
+        (coarse("[Heat(), Flow(viscosity_factor: 20.0), Stress()]"), coarse("[Heat(), Stress()]"));
+    assert!(all.records().largest_speed > 0.02 && all.records().solidified_at.is_some());
+    assert!(all.ledger().residual.abs() < 1e-12, "{}", all.ledger().residual);
+    let (with, without) = (all.mechanics().unwrap(), still.mechanics().unwrap());
+    println!(
+        "all three: residual von Mises {:.1} MPa, displacement {:.2} um; without flow {:.1} MPa, {:.2} um",
+        1e-6 * with.largest_von_mises,
+        1e6 * with.largest_displacement,
+        1e-6 * without.largest_von_mises,
+        1e6 * without.largest_displacement
+    );
+    // Far from the pool the flow changes nothing but when and where heat arrives.
+    let stress = |simulation: &Simulation, i: usize| match simulation
+        .columns()
+        .into_iter()
+        .find(|c| c.0 == "von_mises_pa")
+    {
+        Some((_, Column::Scalar(values))) => values[i],
+        _ => panic!("no stress"),
+    };
+    let far =
+        still.particles().position.iter().position(|x| x.x > 0.5e-3 && x.y.abs() < 0.1e-3 && x.z > -0.1e-3);
+    let far = far.unwrap();
+    let (flowing, resting) = (stress(&all, far), stress(&still, far));
+    println!(
+        "all three: far from the pool {:.2} MPa, without flow {:.2} MPa",
+        1e-6 * flowing,
+        1e-6 * resting
+    );
+    assert!((flowing / resting - 1.0).abs() < 0.1, "{flowing} {resting}");
+    assert!((with.strain / without.strain - 1.0).abs() < 0.15, "{} {}", with.strain, without.strain);
 }

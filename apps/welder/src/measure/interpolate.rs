@@ -99,8 +99,8 @@ fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {
                 let offsets: Vec<_> =
                     speakers.iter().map(|&k| (everything[k] - everything[row]) / radius).collect();
                 if speakers.is_empty() {
-                    // Nobody is left here: what stood here first speaks for its place.
-                    entries.push((own(n), 1.0));
+                    // Nobody is left here: the nearest speaks for this place.
+                    entries.extend(nearest(&particles.position, &near, &node(n)).map(|i| (i, 1.0)));
                 }
                 let weighted = speakers.iter().zip(weights(&offsets));
                 entries.extend(weighted.map(|(&k, w)| (source(k - open.len()), w)));
@@ -111,8 +111,18 @@ fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {
     Sampler::Scattered { starts, entries }
 }
 
+/// The particle among `near` that is nearest to `place`.
+fn nearest(positions: &[Vector3<f64>], near: &Members, place: &Vector3<f64>) -> Option<u32> {
+    let distance = |i: &u32| (positions[*i as usize] - place).norm_squared();
+    near.indices().iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
 /// Sum of the sizes of weights above which points lie too badly for a quadratic: on the edge of a void that melt has left, say.
 const LARGEST_WEIGHTS: f64 = 3.0;
+
+/// Points whose weighted middle is this far from the node, in radii, lie on one side of it: the node is outside the melt's surface.
+/// Disordered points all around stay below half of this.
+const ONE_SIDED: f64 = 0.15;
 
 /// Moving-least-squares weights at the origin of points at `offsets` (in radii), or those of a plain mean where the former would
 /// extrapolate.
@@ -132,6 +142,12 @@ fn weights(offsets: &[Vector3<f64>]) -> Vec<f64> {
         ])
     };
     let weight = |r: &Vector3<f64>| (1.0 - r.norm()).max(0.0).powi(4) * (1.0 + 4.0 * r.norm()) + 1e-9;
+    let total: f64 = offsets.iter().map(weight).sum();
+    let mean = || offsets.iter().map(|r| weight(r) / total).collect();
+    let middle = offsets.iter().fold(Vector3::zeros(), |sum, r| sum + r * (weight(r) / total));
+    if middle.norm() > ONE_SIDED {
+        return mean();
+    }
     let mut moments = SMatrix::<f64, 10, 10>::zeros();
     for r in offsets {
         moments += weight(r) * basis(r) * basis(r).transpose();
@@ -140,11 +156,7 @@ fn weights(offsets: &[Vector3<f64>]) -> Vec<f64> {
     let solved = moments.lu().solve(&value).unwrap_or(SVector::zeros());
     let quadratic: Vec<f64> = offsets.iter().map(|r| weight(r) * solved.dot(&basis(r))).collect();
     let sizes: f64 = quadratic.iter().map(|w| w.abs()).sum();
-    if (0.5..=LARGEST_WEIGHTS).contains(&sizes) {
-        return quadratic;
-    }
-    let total: f64 = offsets.iter().map(weight).sum();
-    offsets.iter().map(|r| weight(r) / total).collect()
+    if (0.5..=LARGEST_WEIGHTS).contains(&sizes) { quadratic } else { mean() }
 }
 
 #[cfg(test)]

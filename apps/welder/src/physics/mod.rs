@@ -102,6 +102,22 @@ pub struct Mechanics {
     pub largest_plastic_strain: f64,
 }
 
+impl Mechanics {
+    /// What two physics have, of which each computes numbers of its own.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            kinetic: self.kinetic + other.kinetic,
+            largest_speed: self.largest_speed.max(other.largest_speed),
+            strain: self.strain + other.strain,
+            unrest: self.unrest.max(other.unrest),
+            largest_displacement: self.largest_displacement.max(other.largest_displacement),
+            largest_von_mises: self.largest_von_mises.max(other.largest_von_mises),
+            largest_plastic_strain: self.largest_plastic_strain.max(other.largest_plastic_strain),
+        }
+    }
+}
+
 /// Energy that crossed the border of the particles \[J\], of the modelled part.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Exchange {

@@ -223,7 +223,7 @@ impl Simulation {
 
     /// Flow, stress and deformation now, where the scene computes them.
     pub fn mechanics(&self) -> Option<Mechanics> {
-        self.physics.iter().find_map(|physics| physics.mechanics())
+        self.physics.iter().filter_map(|physics| physics.mechanics()).reduce(Mechanics::with)
     }
 
     /// Columns that physics have of their own, by name with unit; to be shown.

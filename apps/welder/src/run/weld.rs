@@ -13,6 +13,9 @@ use crate::physics::{Column, Cost, Failure};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
+/// A melt faster than this share of its artificial sound is told of: it is compressed by half the square of it.
+const LARGEST_MACH: f64 = 0.2;
+
 /// Melt that reaches coarse particles widens the fine box by this many beam radii and starts anew.
 const GROWTH_BEAM_RADII: f64 = 1.5;
 
@@ -152,7 +155,13 @@ impl Scenario<3> for WeldRun {
                  which are not computed, would change this weld"
             )
         };
-        self.boiling.filter(|&boiling| peak > boiling).map(tell).into_iter().collect()
+        let boils = self.boiling.filter(|&boiling| peak > boiling).map(tell);
+        let mach = report::flow_numbers(&self.simulation).get("mach").copied().unwrap_or(0.0);
+        let compressed = format!(
+            "the melt reached {mach:.2} of its artificial sound: it is compressed by {:.1} %; set sound_speed_m_s of Flow higher",
+            50.0 * mach * mach
+        );
+        boils.into_iter().chain((mach > LARGEST_MACH).then_some(compressed)).collect()
     }
 
     fn save(&self, case_digest: u32) -> Result<Checkpoint, CheckpointError> {

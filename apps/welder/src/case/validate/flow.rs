@@ -19,9 +19,6 @@ pub fn check(findings: &mut Findings, scene: &Scene, field: &str, flow: &Flow) {
     );
     let reason = "the melt flows where Heat melts it, and the scene does not list Heat";
     findings.require(scene.heat().is_some(), field, reason, "list both: physics: [Heat(), Flow()]");
-    let reason =
-        "Flow moves particles through a solid that stays: with Stress it moves too, which is not built yet";
-    findings.require(scene.stress().is_none(), field, reason, "list Flow or Stress");
     for (name, face) in scene.part.faces.named() {
         let place = format!("part.faces.{name}");
         let held = matches!(face, Face::FixedTemperature { .. });

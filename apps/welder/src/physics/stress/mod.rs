@@ -4,8 +4,13 @@
 //! the temperatures of the moment (quasi-static). So each step of heat gives the body a time of its own to settle in, by
 //! damped motion while the temperatures go from the old ones to the new: dynamic relaxation, without a matrix. Heat does not
 //! feel the deformation: in metals elastic strain makes less than 1 K, and shapes change by about 1 %.
+//!
+//! Where melt flows, the body stays on its lattice and reads there the temperatures that the moving particles bring: the melt
+//! carries no stress, and what freezes begins stress-free where it freezes. The flow does not feel the deformation, which is a
+//! hundredth of a spacing.
 
 mod copies;
+mod lattice;
 mod state;
 
 use super::{Column, Cost, Exchange, Failure, Mechanics, Physics};
@@ -13,6 +18,7 @@ use crate::build::Workpiece;
 use crate::model::{Model, ModelError, StressModel};
 use crate::particles::Particles;
 use copies::Copies;
+use lattice::Lattice;
 use nalgebra::{SMatrix, Vector3};
 use rayon::prelude::*;
 use sph_integrate::StepLimit;
@@ -43,6 +49,8 @@ pub struct Stress {
     body: TotalLagrangian<3>,
     copies: Copies,
     curve: EnthalpyCurve,
+    /// Where particles of the scene have gone, if melt flows.
+    lattice: Option<Lattice>,
     state: State,
     /// Accelerations of particles and copies \[m/s²\].
     accelerations: Vec<Vector3<f64>>,
@@ -103,6 +111,7 @@ impl Stress {
             body,
             copies,
             curve,
+            lattice: model.flow.is_some().then(|| Lattice::new(model, workpiece)),
         };
         stress.accelerate();
         Ok(stress)
@@ -206,8 +215,13 @@ impl Physics<3> for Stress {
     }
 
     fn advance(&mut self, particles: &mut Particles<3>, time: f64, step: f64) -> Result<f64, Failure> {
-        let own = self.end_temperatures[..particles.len()].par_iter_mut().zip(&particles.enthalpy);
-        own.for_each(|(temperature, &enthalpy)| *temperature = self.curve.temperature(enthalpy));
+        let own = &mut self.end_temperatures[..particles.len()];
+        match &mut self.lattice {
+            Some(lattice) => lattice.read(|i| self.curve.temperature(particles.enthalpy[i]), own),
+            None => own.par_iter_mut().zip(&particles.enthalpy).for_each(|(temperature, &enthalpy)| {
+                *temperature = self.curve.temperature(enthalpy);
+            }),
+        }
         self.copies.copy(&mut self.end_temperatures);
         for k in 1..=self.steps {
             self.warm(k as f64 / self.steps as f64);
@@ -218,6 +232,13 @@ impl Physics<3> for Stress {
             Some(failure) => Err(failure),
             None => Ok(step),
         }
+    }
+
+    fn rearrange(&mut self, _model: &Model, workpiece: &Workpiece) -> Result<(), ModelError> {
+        if let Some(lattice) = &mut self.lattice {
+            lattice.follow(workpiece);
+        }
+        Ok(())
     }
 
     fn energy(&self) -> Exchange {
@@ -253,11 +274,21 @@ impl Physics<3> for Stress {
             values.sort_by(|a, b| b.total_cmp(a));
             Vector3::from(values)
         };
+        let scalar = |column: Vec<f64>| {
+            Column::Scalar(
+                self.lattice.as_ref().map_or_else(|| column.clone(), |lattice| lattice.shown(&column)),
+            )
+        };
+        let vector = |column: Vec<Vector3<f64>>| {
+            Column::Vector(
+                self.lattice.as_ref().map_or_else(|| column.clone(), |lattice| lattice.shown(&column)),
+            )
+        };
         vec![
-            ("displacement_m", Column::Vector(self.state.displacements[..owned].to_vec())),
-            ("von_mises_pa", Column::Scalar(stresses.iter().map(SymmetricTensor::von_mises).collect())),
-            ("principal_stress_pa", Column::Vector(stresses.iter().map(principal).collect())),
-            ("plastic_strain", Column::Scalar(self.state.equivalents[..owned].to_vec())),
+            ("displacement_m", vector(self.state.displacements[..owned].to_vec())),
+            ("von_mises_pa", scalar(stresses.iter().map(SymmetricTensor::von_mises).collect())),
+            ("principal_stress_pa", vector(stresses.iter().map(principal).collect())),
+            ("plastic_strain", scalar(self.state.equivalents[..owned].to_vec())),
         ]
     }
 
