@@ -4,11 +4,11 @@ use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
-use super::melt::{cavities, channels, drops, layers, pools, surfaces, vortices, waters};
+use super::melt::{cavities, channels, drops, layers, pools, surfaces, vortices, warmths, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 56] = [
+static BENCHMARKS: [Benchmark; 58] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -39,6 +39,8 @@ static BENCHMARKS: [Benchmark; 56] = [
     surfaces::PLANE,
     surfaces::CIRCLE,
     surfaces::SPHERE,
+    warmths::SHEAR,
+    warmths::CONVECTION,
     waves::PRESSURE,
     waves::SHEAR,
     waves::BAR,
