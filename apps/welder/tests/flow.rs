@@ -98,15 +98,17 @@ fn marangoni_flow_goes_where_tension_grows_and_closes_the_ledger() {
 }
 
 #[test]
-fn flow_and_stress_together_leave_the_solid_what_stress_alone_leaves_it() {
+fn a_still_melt_leaves_the_solid_the_stress_that_it_has_without_flow() {
     let coarse = |physics: &str| {
-        let mut simulation = spot_of(physics, "-3.5e-4", "100e-6", "3e-3");
+        let mut simulation = spot_of(physics, "0.0", "100e-6", "3e-3");
         simulation.run_quietly().unwrap();
         simulation
     };
-    let (all, still) =
-        (coarse("[Heat(), Flow(viscosity_factor: 20.0), Stress()]"), coarse("[Heat(), Stress()]"));
-    assert!(all.records().largest_speed > 0.02 && all.records().solidified_at.is_some());
+    let (all, still) = (
+        coarse("[Heat(), Flow(viscosity_factor: 20.0), Stress()]"),
+        coarse("[Heat(weights: Normalized, smoothing_ratio: 1.3), Stress()]"),
+    );
+    assert!(all.records().largest_speed > 0.0 && all.records().solidified_at.is_some());
     assert!(all.ledger().residual.abs() < 1e-12, "{}", all.ledger().residual);
     let (with, without) = (all.mechanics().unwrap(), still.mechanics().unwrap());
     println!(
@@ -116,24 +118,15 @@ fn flow_and_stress_together_leave_the_solid_what_stress_alone_leaves_it() {
         1e-6 * without.largest_von_mises,
         1e6 * without.largest_displacement
     );
-    // Far from the pool the flow changes nothing but when and where heat arrives.
-    let stress = |simulation: &Simulation, i: usize| match simulation
-        .columns()
-        .into_iter()
-        .find(|c| c.0 == "von_mises_pa")
-    {
-        Some((_, Column::Scalar(values))) => values[i],
-        _ => panic!("no stress"),
-    };
-    let far =
-        still.particles().position.iter().position(|x| x.x > 0.5e-3 && x.y.abs() < 0.1e-3 && x.z > -0.1e-3);
-    let far = far.unwrap();
-    let (flowing, resting) = (stress(&all, far), stress(&still, far));
-    println!(
-        "all three: far from the pool {:.2} MPa, without flow {:.2} MPa",
-        1e-6 * flowing,
-        1e-6 * resting
-    );
-    assert!((flowing / resting - 1.0).abs() < 0.1, "{flowing} {resting}");
-    assert!((with.strain / without.strain - 1.0).abs() < 0.15, "{} {}", with.strain, without.strain);
+    let stress =
+        |simulation: &Simulation| match simulation.columns().into_iter().find(|c| c.0 == "von_mises_pa") {
+            Some((_, Column::Scalar(values))) => values,
+            _ => panic!("no stress"),
+        };
+    let (flowing, resting) = (stress(&all), stress(&still));
+    let differences = flowing.iter().zip(&resting).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+    let worst = (differences / resting.iter().map(|b| b * b).sum::<f64>()).sqrt();
+    println!("all three: von Mises differs by {worst:.4} (root mean square over that of stress alone)");
+    assert!(worst < 0.03, "{worst}");
+    assert!((with.strain / without.strain - 1.0).abs() < 0.03, "{} {}", with.strain, without.strain);
 }

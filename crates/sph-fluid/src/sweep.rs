@@ -2,10 +2,10 @@
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, artificial_acceleration,
-    conjugate_colour_gradient, conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion,
-    density_rate, leading_part, marangoni_force, strain_acceleration, tension_force, viscous_acceleration,
-    volume_pressure_acceleration, wall_state, wall_velocity,
+    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, artificial_acceleration,
+    artificial_heating, conjugate_colour_gradient, conjugate_pressure_acceleration, corrected_density_rate,
+    corrected_diffusion, density_rate, friction_heating, leading_part, marangoni_force, strain_acceleration,
+    tension_force, viscous_acceleration, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
@@ -33,6 +33,10 @@ pub struct FluidControls<const D: usize> {
     pub surface_tension: Option<SurfaceTension>,
     /// Exchange of the rows of a free surface; needed where a surface flows in a closed melt.
     pub renewal: Option<Renewal>,
+    /// How warmth expands the fluid; `None` where it does not.
+    pub thermal_expansion: Option<ThermalExpansion>,
+    /// Whether the sweep finds the heat that friction makes.
+    pub viscous_heating: bool,
     /// Whether continuity and pressure take corrected gradients, exact at the free surface, at the cost of a pass.
     pub corrected_gradients: bool,
 }
@@ -51,6 +55,8 @@ impl<const D: usize> FluidControls<D> {
             body_acceleration: SVector::zeros(),
             surface_tension: None,
             renewal: None,
+            thermal_expansion: None,
+            viscous_heating: false,
             corrected_gradients: false,
         }
     }
@@ -82,7 +88,8 @@ pub struct FluidFields<'a, const D: usize> {
     pub velocities: &'a [SVector<f64, D>],
     /// Masses \[kg; kg/m in 2-D\].
     pub masses: &'a [f64],
-    /// Temperatures \[K\] of all particles; read only where tension changes with temperature, and may be empty without.
+    /// Temperatures \[K\] of all particles; read only where tension or density change with temperature, and may be empty
+    /// without.
     pub temperatures: &'a [f64],
     /// For each copy (image across a period or in a mirror plane) the fluid particle that it shows.
     pub copies: &'a [u32],
@@ -130,6 +137,13 @@ pub struct FluidSweep<const D: usize> {
     shifts: Vec<SVector<f64, D>>,
     /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on the fluid; empty without tension.
     marangoni: Vec<SVector<f64, D>>,
+    /// rho_0/rho_ref(T) of all particles, one of walls, which fill their cells at any temperature, and with it the densities and masses that have the same pressure and room at T_0; empty
+    /// without thermal expansion.
+    stretches: Vec<f64>,
+    even_densities: Vec<f64>,
+    even_masses: Vec<f64>,
+    /// Heat of friction; empty where it is not asked for.
+    heating: Vec<f64>,
     /// Inverse moments B; empty without corrected gradients.
     corrections: Vec<SMatrix<f64, D, D>>,
 }
@@ -151,6 +165,10 @@ impl<const D: usize> FluidSweep<D> {
             density_gradients: Vec::new(),
             shifts: Vec::new(),
             marangoni: Vec::new(),
+            stretches: Vec::new(),
+            even_densities: Vec::new(),
+            even_masses: Vec::new(),
+            heating: Vec::new(),
             corrections: Vec::new(),
         })
     }
@@ -172,6 +190,13 @@ impl<const D: usize> FluidSweep<D> {
     #[must_use]
     pub fn shift_velocities(&self) -> &[SVector<f64, D>] {
         &self.shifts
+    }
+
+    /// Heat \[W/kg\] that true and artificial viscosity make in each particle of the fluid at the last evaluation; empty without
+    /// `viscous_heating`. With the velocities that were given, its sum is what both take from the motion, to round-off.
+    #[must_use]
+    pub fn heating(&self) -> &[f64] {
+        &self.heating
     }
 
     /// Pressures \[Pa\] of all particles at the last evaluation; of walls that of the fluid carried to them.
@@ -207,6 +232,7 @@ impl<const D: usize> FluidSweep<D> {
         assert_eq!(densities.len(), particles, "densities");
         assert!(fields.mirrors.is_empty() || fields.mirrors.len() == fields.copies.len(), "mirrors");
         self.fit(particles, fluid);
+        self.measure_stretches(fields, fluid);
         copy_images(densities, fluid, fields.copies);
         // Those of the evaluation before, whose copies may have been others.
         fields.copy_vectors(&mut self.density_gradients, fluid);
@@ -224,6 +250,7 @@ impl<const D: usize> FluidSweep<D> {
             surface.measure(fields, &self.volumes, fluid, bends);
         }
         self.sum_forces(fields, densities, accelerations);
+        self.measure_heating(fields, densities, fluid);
         self.add_surface_forces(fields, densities, accelerations);
         self.measure_shifts(fields, fluid);
     }
@@ -257,10 +284,25 @@ impl<const D: usize> FluidSweep<D> {
         }
     }
 
+    /// Where warmth expands the fluid, by how much.
+    fn measure_stretches(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
+        let Some(expansion) = self.controls.thermal_expansion else { return };
+        assert_eq!(fields.temperatures.len(), fields.positions.len(), "temperatures");
+        self.stretches.clear();
+        self.stretches.extend(fields.temperatures.iter().map(|&temperature| expansion.stretch(temperature)));
+        self.stretches[fluid + fields.copies.len()..].fill(1.0);
+        self.even_masses.clear();
+        self.even_masses
+            .extend(fields.masses.iter().zip(&self.stretches).map(|(mass, stretch)| mass * stretch));
+    }
+
     fn measure_volumes(&mut self, fields: &FluidFields<'_, D>, densities: &[f64]) {
         for (i, volume) in self.volumes.iter_mut().enumerate() {
             *volume = fields.masses[i] / densities[i];
         }
+        self.even_densities.clear();
+        let stretched = densities.iter().zip(&self.stretches);
+        self.even_densities.extend(stretched.map(|(density, stretch)| density * stretch));
     }
 
     /// First pass: continuity over all neighbours, diffusion over fluid ones.
@@ -268,6 +310,8 @@ impl<const D: usize> FluidSweep<D> {
         let Self { controls, volumes, pressures, density_gradients, surface, corrections, .. } = self;
         let columns =
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
+        let even = Fields { densities: even_or(&self.even_densities, densities), ..columns };
+        let masses = even_or(&self.even_masses, fields.masses);
         let (central, sound_speed) = (controls.kernel.value(0.0), controls.state.reference_sound_speed());
         let renewal = controls.renewal.zip(surface.as_ref());
         let diffusivity = controls.density_diffusion
@@ -282,14 +326,16 @@ impl<const D: usize> FluidSweep<D> {
             };
             if diffusivity > 0.0 {
                 let fluid_row = leading_part(&row, mobile);
-                *rate += diffusivity * corrected_diffusion(&fluid_row, &columns, density_gradients);
+                let spread = corrected_diffusion(&fluid_row, &even, density_gradients);
+                *rate += diffusivity * spread * densities[i] / even.densities[i];
             }
             if let Some((renewal, surface)) = &renewal {
                 // Depths are those of the previous evaluation; before the first there are none.
                 let depth = surface.planes().get(i).map_or(f64::INFINITY, |plane| plane.1);
                 let (colour, length) = (surface.profile().colour(depth), controls.kernel.smoothing_length());
-                let summed = summation(&row, fields.masses, central);
-                *rate += renewal.density_rate(summed, colour, densities[i], sound_speed, length);
+                let (summed, density) = (summation(&row, masses, central), even.densities[i]);
+                let pull = renewal.density_rate(summed, colour, density, sound_speed, length);
+                *rate += pull * densities[i] / density;
             }
         });
     }
@@ -297,9 +343,10 @@ impl<const D: usize> FluidSweep<D> {
     /// Pressures of fluid and copies from densities, of walls from the fluid near them; velocities that friction sees.
     fn update_states(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
         let mobile = fluid + fields.copies.len();
-        let Self { controls, volumes, pressures, seen, .. } = self;
+        let Self { controls, volumes, pressures, seen, even_densities, .. } = self;
+        let even_densities = even_or(even_densities, densities);
         for i in 0..mobile {
-            pressures[i] = controls.state.pressure(densities[i]);
+            pressures[i] = controls.state.pressure(even_densities[i]);
             seen[i] = fields.velocities[i];
         }
         let (mobile_pressures, wall_pressures) = pressures.split_at_mut(mobile);
@@ -336,6 +383,7 @@ impl<const D: usize> FluidSweep<D> {
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
         let mobile = accelerations.len() + fields.copies.len();
         let sound_speed = controls.state.reference_sound_speed();
+        let even_densities = even_or(&self.even_densities, densities);
         let written = accelerations.par_iter_mut().zip(density_gradients.par_iter_mut()).enumerate();
         written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient))| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
@@ -357,7 +405,7 @@ impl<const D: usize> FluidSweep<D> {
             if controls.density_diffusion > 0.0 {
                 let fluid_row = leading_part(&row, mobile);
                 let inverse = regularised_inverse(&moment(&fluid_row, volumes));
-                *density_gradient = gradient(&fluid_row, volumes, densities, &inverse);
+                *density_gradient = gradient(&fluid_row, volumes, even_densities, &inverse);
             }
         });
     }
@@ -406,6 +454,28 @@ impl<const D: usize> FluidSweep<D> {
         });
     }
 
+    /// Heat of friction, where it is asked for.
+    fn measure_heating(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
+        let Self { controls, volumes, pressures, seen, heating, .. } = self;
+        if !controls.viscous_heating {
+            return;
+        }
+        let columns =
+            Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
+        let (mobile, sound_speed) = (fluid + fields.copies.len(), controls.state.reference_sound_speed());
+        heating.resize(fluid, 0.0);
+        heating.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, heat)| {
+            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
+            let viscosity = controls.dynamic_viscosity;
+            *heat = friction_heating(&row, &columns, seen, mobile, controls.friction, viscosity);
+            if controls.artificial_viscosity > 0.0 {
+                let coefficient = controls.artificial_viscosity;
+                *heat +=
+                    artificial_heating(&row, &columns, &controls.kernel, mobile, sound_speed, coefficient);
+            }
+        });
+    }
+
     /// Shift velocities of the next drift.
     fn measure_shifts(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
         let Some((renewal, surface)) = self.controls.renewal.zip(self.surface.as_ref()) else { return };
@@ -413,10 +483,11 @@ impl<const D: usize> FluidSweep<D> {
         let squares = fields.velocities[..fluid].iter().map(SVector::norm_squared);
         let largest_speed = squares.fold(0.0, f64::max).sqrt();
         let reference_density = self.controls.state.reference_density();
+        let masses = even_or(&self.even_masses, fields.masses);
         self.shifts.resize(fluid, SVector::zeros());
         self.shifts.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, shift)| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            let crowding = concentration_gradient(&row, fields.masses, reference_density);
+            let crowding = concentration_gradient(&row, masses, reference_density);
             let (normal, depth) = &surface.planes()[i];
             let flat =
                 if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
@@ -428,6 +499,11 @@ impl<const D: usize> FluidSweep<D> {
 /// sum_b (m_b/rho_0) grad W \[1/m\].
 fn concentration_gradient<const D: usize>(row: &Row<'_, D>, masses: &[f64], density: f64) -> SVector<f64, D> {
     colour_gradient(row, masses) / density
+}
+
+/// The column at the reference temperature, where there is one.
+fn even_or<'a>(even: &'a [f64], column: &'a [f64]) -> &'a [f64] {
+    if even.is_empty() { column } else { even }
 }
 
 /// Gives each copy, stored behind the fluid, the value of the particle that it shows.

@@ -5,7 +5,7 @@ use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
 };
-use super::melt::{cavities, channels, drops, layers, pools, surfaces, vortices, waters};
+use super::melt::{cavities, channels, drops, layers, pools, surfaces, vortices, warmths, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
@@ -40,6 +40,8 @@ static BENCHMARKS: &[Benchmark] = &[
     surfaces::PLANE,
     surfaces::CIRCLE,
     surfaces::SPHERE,
+    warmths::SHEAR,
+    warmths::CONVECTION,
     waves::PRESSURE,
     waves::SHEAR,
     waves::BAR,

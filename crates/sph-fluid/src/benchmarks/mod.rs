@@ -2,6 +2,7 @@
 
 pub mod cavity;
 pub mod channel;
+pub mod convection;
 pub mod dam;
 pub mod drop;
 mod fit;
@@ -13,6 +14,7 @@ pub mod pool;
 pub mod shapes;
 pub mod tank;
 pub mod vortices;
+pub mod warm_shear;
 pub mod wave;
 
 /// The largest of numbers that are not negative; no number where one of them is none.

@@ -17,19 +17,24 @@ pub fn artificial_acceleration<const D: usize>(
     sound_speed: f64,
     coefficient: f64,
 ) -> SVector<f64, D> {
-    let a = row.index;
-    let softening = 0.01 * kernel.smoothing_length() * kernel.smoothing_length();
-    let mut sum = SVector::zeros();
-    for (k, &neighbor) in row.neighbors.iter().enumerate() {
-        let b = neighbor as usize;
-        let separation = row.separations[k];
-        let closing = (fields.velocities[a] - fields.velocities[b]).dot(&separation).min(0.0);
-        let distance_squared = row.distances[k] * row.distances[k] + softening;
-        let density = 0.5 * (fields.densities[a] + fields.densities[b]);
-        let strength = fields.masses[b] * row.gradient_factors[k] * closing / (distance_squared * density);
-        sum += separation * strength;
-    }
-    sum * (coefficient * sound_speed * kernel.smoothing_length())
+    let length = kernel.smoothing_length();
+    let sum: SVector<f64, D> = (0..row.len()).map(|k| artificial_term(row, fields, length, k)).sum();
+    sum * (coefficient * sound_speed * length)
+}
+
+/// What neighbour k adds to the sum of [`artificial_acceleration`].
+#[inline]
+pub(super) fn artificial_term<const D: usize>(
+    row: &Row<'_, D>,
+    fields: &Fields<'_, D>,
+    smoothing_length: f64,
+    k: usize,
+) -> SVector<f64, D> {
+    let (a, b, separation) = (row.index, row.neighbors[k] as usize, row.separations[k]);
+    let closing = (fields.velocities[a] - fields.velocities[b]).dot(&separation).min(0.0);
+    let distance_squared = row.distances[k] * row.distances[k] + 0.01 * smoothing_length * smoothing_length;
+    let density = 0.5 * (fields.densities[a] + fields.densities[b]);
+    separation * (fields.masses[b] * row.gradient_factors[k] * closing / (distance_squared * density))
 }
 
 /// nu = alpha c h/(4 (D + 2)) \[m^2/s\], the viscosity in shear that [`artificial_acceleration`] amounts to; report it.

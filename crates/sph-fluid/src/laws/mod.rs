@@ -5,10 +5,12 @@ mod conjugate;
 mod continuity;
 mod density_diffusion;
 mod fields;
+mod heating;
 mod pressure;
 mod renewal;
 mod sound_speed;
 mod step_limits;
+mod thermal_expansion;
 mod viscosity;
 mod wall;
 
@@ -17,6 +19,7 @@ pub use conjugate::{conjugate_colour_gradient, conjugate_pressure_acceleration, 
 pub use continuity::density_rate;
 pub use density_diffusion::{corrected_diffusion, plain_diffusion};
 pub use fields::{Fields, leading_part};
+pub use heating::{artificial_heating, friction_heating};
 pub use pressure::{symmetric_pressure_acceleration, volume_pressure_acceleration};
 pub use renewal::Renewal;
 pub use sound_speed::{SOUND_SPEED_RATIO, artificial_sound_speed};
@@ -24,5 +27,6 @@ pub use step_limits::{
     ACOUSTIC_FACTOR, CAPILLARY_FACTOR, FORCE_FACTOR, VISCOUS_FACTOR, acoustic_step, capillary_step,
     force_step, viscous_step,
 };
+pub use thermal_expansion::ThermalExpansion;
 pub use viscosity::{Friction, strain_acceleration, viscous_acceleration};
 pub use wall::{WallState, wall_state, wall_velocity};

@@ -27,13 +27,24 @@ pub fn viscous_acceleration<const D: usize>(
     velocities: &[SVector<f64, D>],
     dynamic_viscosity: f64,
 ) -> SVector<f64, D> {
-    let a = row.index;
-    let mut sum = SVector::zeros();
-    for (k, &neighbor) in row.neighbors.iter().enumerate() {
-        let b = neighbor as usize;
-        sum += (velocities[a] - velocities[b]) * (fields.volumes[b] * row.gradient_factors[k]);
-    }
-    sum * (2.0 * dynamic_viscosity / fields.densities[a])
+    let sum: SVector<f64, D> = (0..row.len()).map(|k| shear_term(row, fields, velocities, k)).sum();
+    sum * shear_scale(fields, row.index, dynamic_viscosity)
+}
+
+/// What neighbour k adds to the sum of [`viscous_acceleration`].
+#[inline]
+pub(super) fn shear_term<const D: usize>(
+    row: &Row<'_, D>,
+    fields: &Fields<'_, D>,
+    velocities: &[SVector<f64, D>],
+    k: usize,
+) -> SVector<f64, D> {
+    let b = row.neighbors[k] as usize;
+    (velocities[row.index] - velocities[b]) * (fields.volumes[b] * row.gradient_factors[k])
+}
+
+pub(super) fn shear_scale<const D: usize>(fields: &Fields<'_, D>, a: usize, dynamic_viscosity: f64) -> f64 {
+    2.0 * dynamic_viscosity / fields.densities[a]
 }
 
 /// sum_b V_b 2 (D + 2) (eta/rho_a) (v_ab.r_ab/r^2) grad_a W \[m/s^2\], along the line of each pair (Monaghan and Gingold 1983,
@@ -52,19 +63,30 @@ pub fn strain_acceleration<const D: usize>(
     velocities: &[SVector<f64, D>],
     dynamic_viscosity: f64,
 ) -> SVector<f64, D> {
-    let a = row.index;
-    let mut sum = SVector::zeros();
-    for (k, &neighbor) in row.neighbors.iter().enumerate() {
-        let b = neighbor as usize;
-        let separation = &row.separations[k];
-        let distance_squared = row.distances[k] * row.distances[k];
-        // Two particles in one place have no line to act along.
-        if distance_squared > 0.0 {
-            let closing = (velocities[a] - velocities[b]).dot(separation) / distance_squared;
-            sum += separation * (fields.volumes[b] * row.gradient_factors[k] * closing);
-        }
+    let sum: SVector<f64, D> = (0..row.len()).map(|k| strain_term(row, fields, velocities, k)).sum();
+    sum * strain_scale(fields, row.index, dynamic_viscosity)
+}
+
+/// What neighbour k adds to the sum of [`strain_acceleration`].
+#[inline]
+pub(super) fn strain_term<const D: usize>(
+    row: &Row<'_, D>,
+    fields: &Fields<'_, D>,
+    velocities: &[SVector<f64, D>],
+    k: usize,
+) -> SVector<f64, D> {
+    let (b, separation) = (row.neighbors[k] as usize, &row.separations[k]);
+    let distance_squared = row.distances[k] * row.distances[k];
+    // Two particles in one place have no line to act along.
+    if distance_squared == 0.0 {
+        return SVector::zeros();
     }
-    sum * (2.0 * (D as f64 + 2.0) * dynamic_viscosity / fields.densities[a])
+    let closing = (velocities[row.index] - velocities[b]).dot(separation) / distance_squared;
+    separation * (fields.volumes[b] * row.gradient_factors[k] * closing)
+}
+
+pub(super) fn strain_scale<const D: usize>(fields: &Fields<'_, D>, a: usize, dynamic_viscosity: f64) -> f64 {
+    2.0 * (D as f64 + 2.0) * dynamic_viscosity / fields.densities[a]
 }
 
 #[cfg(test)]

@@ -34,12 +34,14 @@ impl<const D: usize> PackedSweep<D> {
     /// The fast form of what the controls ask for.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a coefficient that is negative or not finite, and for a surface or corrected gradients,
-    /// which have no fast form.
+    /// [`Error::OutOfRange`] for a coefficient that is negative or not finite, for a surface, corrected gradients,
+    /// thermal expansion and the heat of friction, which have no fast form.
     pub fn new(controls: FluidControls<D>) -> Result<Self, Error> {
         controls.check()?;
         let slow = controls.has_surface() || controls.corrected_gradients;
         require(!slow, "surface_tension, renewal or corrected_gradients", 1.0, "absent in a packed sweep")?;
+        let warm = controls.thermal_expansion.is_some() || controls.viscous_heating;
+        require(!warm, "thermal_expansion or viscous_heating", 1.0, "absent in a packed sweep")?;
         let sheared = controls.friction == Friction::Shear;
         require(sheared, "friction", 1.0, "Friction::Shear in a packed sweep")?;
         Ok(Self { controls })

@@ -12,6 +12,8 @@ use sph_kernel::{Row, RowBuffer, ScaledKernel};
 pub struct Conduction<const D: usize> {
     /// Thermal diffusivity a = k/(rho c) \[m^2/s\].
     pub diffusivity: f64,
+    /// Specific heat c \[J/(kg K)\], by which the heat of friction warms the fluid.
+    pub heat_capacity: f64,
     /// Temperature \[K\] at which the face before a particle of a wall is held; `None` where no heat passes.
     pub held: fn(&SVector<f64, D>) -> Option<f64>,
 }
@@ -56,9 +58,15 @@ impl<const D: usize> ConductionSweep<D> {
         Self { law, volumes: Vec::new(), scaled: Vec::new(), moments: Vec::new(), rates: Vec::new() }
     }
 
-    /// dT/dt \[K/s\] of the fluid at the last measurement.
-    pub fn rates(&self) -> &[f64] {
-        &self.rates
+    /// Warms the fluid for `dt` at the rates of the last measurement, and by the `heating` of friction \[W/kg\], which may be
+    /// empty.
+    pub fn advance(&self, heating: &[f64], temperatures: &mut [f64], dt: f64) {
+        for (temperature, rate) in temperatures.iter_mut().zip(&self.rates) {
+            *temperature += rate * dt;
+        }
+        for (temperature, heat) in temperatures.iter_mut().zip(heating) {
+            *temperature += heat / self.law.heat_capacity * dt;
+        }
     }
 
     /// Writes the temperatures of copies and walls, then finds the rates of the fluid. `volumes` \[m^D\] of all particles.

@@ -90,7 +90,7 @@ impl<const D: usize> FluidPatch<D> {
     /// Places the fluid at rest and evaluates it.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a spacing, period or diffusivity that is not positive, and what [`FluidSweep::new`] refuses.
+    /// [`Error::OutOfRange`] for a spacing, period, diffusivity or heat capacity that is not positive, and what [`FluidSweep::new`] refuses.
     ///
     /// # Panics
     /// If columns of `start` differ in length.
@@ -103,15 +103,21 @@ impl<const D: usize> FluidPatch<D> {
         for period in start.periods.into_iter().flatten() {
             require(period > 0.0, "period", period, "a positive length in metres")?;
         }
-        if let Some(Conduction { diffusivity, .. }) = start.conduction {
+        if let Some(Conduction { diffusivity, heat_capacity, .. }) = start.conduction {
             require(diffusivity > 0.0, "diffusivity", diffusivity, "positive, in square metres per second")?;
+            let accepted = "positive, in joules per kilogram and kelvin";
+            require(heat_capacity > 0.0, "heat_capacity", heat_capacity, accepted)?;
         }
         assert_eq!(start.positions.len(), start.volumes.len(), "volumes");
         assert_eq!(start.walls.len(), start.wall_velocities.len(), "velocities of walls");
         let densities: Vec<f64> = start
             .positions
             .iter()
-            .map(|position| controls.state.density((start.pressure)(position)))
+            .map(|position| {
+                let temperature = (start.temperature)(position);
+                let stretch = controls.thermal_expansion.map_or(1.0, |law| law.stretch(temperature));
+                controls.state.density((start.pressure)(position)) / stretch
+            })
             .collect();
         let masses = densities.iter().zip(&start.volumes).map(|(density, volume)| density * volume).collect();
         let fluid = start.positions.len();
@@ -301,9 +307,7 @@ impl<const D: usize> FluidPatch<D> {
             self.temperatures.extend(self.positions.iter().map(self.start.temperature));
             return;
         };
-        for (temperature, rate) in self.temperatures.iter_mut().zip(conduction.rates()) {
-            *temperature += rate * dt;
-        }
+        conduction.advance(self.sweep.heating(), &mut self.temperatures, dt);
         self.temperatures.resize(self.positions.len(), 0.0);
         let rows = Rows {
             kernel: self.sweep.kernel(),

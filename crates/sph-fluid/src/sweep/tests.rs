@@ -87,3 +87,37 @@ fn bad_controls_are_named() {
     let falling = FluidControls { body_acceleration: SVector::from([0.0, f64::NAN]), ..controls() };
     assert!(message(falling).starts_with("body_acceleration is NaN"));
 }
+
+/// A lattice with the density that warmth gives it has no pressure, diffuses nothing and stays where it is; with that of the reference
+/// temperature it bursts.
+#[test]
+fn warm_fluid_of_its_own_density_has_no_pressure() {
+    let block = Block::<2>::lattice(6, |_| SVector::zeros());
+    let (starts, neighbors) = all_pairs(block.positions.len());
+    let expansion = ThermalExpansion::new(0.01, 300.0).unwrap();
+    let temperatures: Vec<f64> = block.positions.iter().map(|r| 300.0 + 2.0 * r.x * r.x - r.y).collect();
+    let masses: Vec<f64> = temperatures.iter().map(|&warmth| 2.0 / expansion.stretch(warmth)).collect();
+    let fields = FluidFields {
+        positions: &block.positions,
+        velocities: &block.velocities,
+        masses: &masses,
+        temperatures: &temperatures,
+        copies: &[],
+        mirrors: &[],
+        list_starts: &starts,
+        list_neighbors: &neighbors,
+    };
+    let controls = FluidControls { thermal_expansion: Some(expansion), ..controls() };
+    let mut accelerations = vec![SVector::zeros(); masses.len()];
+    let mut densities = masses.clone();
+    let mut sweep = FluidSweep::new(controls).unwrap();
+    sweep.accelerations(&fields, &mut densities, 0.0, &mut accelerations);
+    sweep.accelerations(&fields, &mut densities, 1e-3, &mut accelerations);
+    assert!(accelerations.iter().all(|a: &SVector<f64, 2>| a.norm() < 1e-10), "{accelerations:?}");
+    assert!(densities.iter().zip(&masses).all(|(now, then)| (now - then).abs() < 1e-12));
+    // As dense as at 300 K, the hottest corner presses with more than rho c^2 beta dT, by the power of seven.
+    let mut dense = vec![2.0; masses.len()];
+    sweep.accelerations(&fields, &mut dense, 0.0, &mut accelerations);
+    let hottest = temperatures.iter().zip(sweep.pressures()).max_by(|a, b| a.0.total_cmp(b.0)).unwrap();
+    assert!(*hottest.1 > 2.0 * 20.0 * 20.0 * 0.01 * (hottest.0 - 300.0), "{hottest:?}");
+}

@@ -6,3 +6,4 @@ mod fast;
 mod patch;
 mod start_up;
 mod still;
+mod warm;

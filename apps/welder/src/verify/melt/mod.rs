@@ -7,6 +7,7 @@ pub(super) mod layers;
 pub(super) mod pools;
 pub(super) mod surfaces;
 pub(super) mod vortices;
+pub(super) mod warmths;
 pub(super) mod waters;
 
 use super::Outcome;

@@ -80,8 +80,14 @@ impl Cavity {
     ) -> Result<Self, Error> {
         let (n, viscosity) = (rows as i32, 1.0 / case.reynolds);
         let inside = 0..n;
-        let start = lattice(1.0 / rows as f64, -WALL_ROWS..n + WALL_ROWS, -WALL_ROWS..n, |column, row| {
-            if inside.contains(&column) && row >= 0 { Site::Fluid } else { Site::Wall }
+        // The walls stand above the top: a corner particle that gets over a wall level with it would fall behind.
+        let all = -WALL_ROWS..n + WALL_ROWS;
+        let start = lattice(1.0 / rows as f64, all.clone(), all, |column, row| {
+            match (inside.contains(&column), row) {
+                (true, 0..) if row < n => Site::Fluid,
+                (true, 0..) => Site::Empty,
+                _ => Site::Wall,
+            }
         });
         let kernel = KernelKind::WendlandC2.with_smoothing_length(1.5 * start.spacing);
         let controls = FluidControls {
@@ -96,7 +102,7 @@ impl Cavity {
         let start = PatchStart {
             pressure: |position: &Vector2<f64>| GRAVITY * (1.0 - position.y),
             temperature: |position: &Vector2<f64>| 1.0 - position.x,
-            conduction: Some(Conduction { diffusivity: viscosity / case.prandtl, held }),
+            conduction: Some(Conduction { diffusivity: viscosity / case.prandtl, heat_capacity: 1.0, held }),
             ..start
         };
         Ok(Self { patch: FluidPatch::new(start, controls, find)?, case })
