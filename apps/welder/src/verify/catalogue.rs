@@ -1,6 +1,6 @@
 //! All benchmarks, in the order in which they run.
 
-use super::coupled::{cycles, gate, nist_tracks};
+use super::coupled::{cycles, gallium, gate, nist_tracks, rest};
 use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
@@ -9,7 +9,7 @@ use super::melt::{channels, drops, layers, vortices, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
-static BENCHMARKS: [Benchmark; 51] = [
+static BENCHMARKS: [Benchmark; 53] = [
     cosine_decay::LATTICE,
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
@@ -55,9 +55,11 @@ static BENCHMARKS: [Benchmark; 51] = [
     weld::LATTICE,
     weld::DISORDERED,
     nist_tracks::BENCHMARK,
+    rest::BENCHMARK,
     cycles::WITH_STRESS,
     cycles::WITH_FLOW,
     gate::BENCHMARK,
+    gallium::BENCHMARK,
     round_off::LEDGER,
     round_off::THREADS,
     round_off::RESUME,

@@ -42,22 +42,31 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
     name: "coupled/elastic-gate",
     tested_crate: "welder",
     reference: "experiment of Antoci, Gallati and Sibilla (2007): dam break on an elastic gate",
-    quantities: &[Quantity {
-        suffix: "",
-        text: "worst relative error of the tip's displacement at 0.040, 0.080, 0.119 and 0.161 s; resolution: spacings of \
-               the water to the gate's thickness, the gate has two particles to each",
-        marks: &[Mark { resolution: 3.0, error: 0.26 }, Mark { resolution: 5.0, error: 0.1 }],
-    }],
+    quantities: &[
+        Quantity {
+            suffix: "opening",
+            text: "worst relative error of the tip's displacement at 0.040 and 0.080 s; resolution: spacings of the water to \
+                   the gate's thickness, the gate has two particles to each. Known to miss 10 %, alike at all resolutions: \
+                   the computed gate is some 4 ms early, and set free at once",
+            marks: &[Mark { resolution: 3.0, error: 0.26 }, Mark { resolution: 5.0, error: 0.1 }],
+        },
+        Quantity {
+            suffix: "open",
+            text: "the same at 0.119 and 0.161 s",
+            marks: &[Mark { resolution: 3.0, error: 0.1 }, Mark { resolution: 5.0, error: 0.1 }],
+        },
+    ],
     resolutions: [3.0, 4.0, 5.0],
     quick: 1,
     run: |resolution| {
         let mut scene = Scene::new(resolution as usize)?;
-        let error = TIP.map(|(time, place)| {
+        let errors = TIP.map(|(time, place)| {
             scene.run_to(time);
             tracing::info!("tip at {time} s: {:.4} m, measured {place} m", scene.tip());
             relative(scene.tip(), place)
         });
-        Ok(scene.outcome(error.into_iter().fold(0.0, larger)))
+        let errors = errors.chunks(2).map(|pair| larger(pair[0], pair[1])).collect();
+        Ok(scene.outcome(errors))
     },
 };
 
@@ -94,7 +103,7 @@ impl Scene {
         let mut walls: Vec<_> = gate.positions().iter().map(|place| (*place, cell)).collect();
         walls.extend(rigid_walls(spacing).into_iter().map(|place| (place, spacing * spacing)));
         let pressure = |place: &Vector2<f64>| WATER_DENSITY * GRAVITY * (WATER[1] - place.y);
-        let water = Fluid::new(controls, spacing, lattice([0.0; 2], counts, spacing), pressure, &walls)?;
+        let water = Fluid::at_rest(controls, spacing, lattice([0.0; 2], counts, spacing), pressure, &walls)?;
         let dt = 0.5 * length / sound_speed;
         let finer_steps = (dt / gate.body().stable_step(DEFAULT_STEP_FACTOR)).ceil() as usize;
         Ok(Self { water, gate, spacing, time: 0.0, dt, finer_steps })
@@ -126,10 +135,10 @@ impl Scene {
         self.gate.mean(|place| place.y < lowest, |i| self.gate.displacements[i].x)
     }
 
-    fn outcome(&self, error: f64) -> Outcome {
+    fn outcome(&self, errors: Vec<f64>) -> Outcome {
         Outcome {
-            errors: vec![error],
-            particles: self.water.positions.len(),
+            errors,
+            particles: self.water.columns.positions.len(),
             pair_visits: self.water.pair_visits + self.gate.pair_visits(),
         }
     }
@@ -179,4 +188,27 @@ fn rigid_walls(spacing: f64) -> Vec<Vector2<f64>> {
     let (low, high) = (clamp_end(spacing), 1.5 * WATER[1]);
     let right = lattice([WATER[0], low], [LAYERS, cells(high - low)], spacing);
     [floor, left, right].concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn water_at_rest_pushes_the_gate_by_its_weight() {
+        let scene = Scene::new(3).unwrap();
+        let loads = scene.water.forces_on_walls(scene.gate.positions().len());
+        let hung = scene.gate.positions().iter().zip(loads).filter(|(place, _)| place.y < GATE[1]);
+        let pushed: Vector2<f64> = hung.map(|(_, load)| load).sum();
+        let exact = WATER_DENSITY * GRAVITY * GATE[1] * (WATER[1] - 0.5 * GATE[1]);
+        assert!((pushed.x / exact - 1.0).abs() < 0.04 && pushed.y.abs() < 0.02 * exact, "{pushed} {exact}");
+    }
+
+    #[test]
+    fn the_gate_swings_away_from_the_water_and_stays_hung() {
+        let mut scene = Scene::new(2).unwrap();
+        scene.run_to(0.02);
+        let held = scene.gate.mean(|place| place.y > GATE[1], |i| scene.gate.displacements[i].norm());
+        assert!((1e-3..8e-3).contains(&scene.tip()) && held == 0.0, "{} {held}", scene.tip());
+    }
 }
