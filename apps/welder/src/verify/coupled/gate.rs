@@ -38,6 +38,9 @@ const FINER: usize = 2;
 /// When \[s\], and how far the free end has moved from the water \[m\].
 const TIP: [(f64, f64); 4] = [(0.040, 0.0125), (0.080, 0.0340), (0.119, 0.0440), (0.161, 0.0464)];
 
+/// The computed gate is this much early at first \[s\]; what the tip does then is told beside, and not judged.
+const EARLY: f64 = 4.4e-3;
+
 pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
     name: "coupled/elastic-gate",
     tested_crate: "welder",
@@ -47,7 +50,8 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
             suffix: "opening",
             text: "worst relative error of the tip's displacement at 0.040 and 0.080 s; resolution: spacings of the water to \
                    the gate's thickness, the gate has two particles to each. Known to miss 10 %, alike at all resolutions: \
-                   the computed gate is some 4 ms early, and set free at once",
+                   the computed gate is 4.4 ms early (all four points would agree to 10 % if the measured gate was let go late), \
+                   and stiffness does not matter yet",
             marks: &[Mark { resolution: 3.0, error: 0.26 }, Mark { resolution: 5.0, error: 0.1 }],
         },
         Quantity {
@@ -59,11 +63,14 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
     resolutions: [3.0, 4.0, 5.0],
     quick: 1,
     run: |resolution| {
-        let mut scene = Scene::new(resolution as usize)?;
+        let mut scene = Scene::new(resolution as usize, YOUNG)?;
         let errors = TIP.map(|(time, place)| {
+            scene.run_to(time - EARLY);
+            let before = scene.tip();
             scene.run_to(time);
-            tracing::info!("tip at {time} s: {:.4} m, measured {place} m", scene.tip());
-            relative(scene.tip(), place)
+            let tip = scene.tip();
+            tracing::info!("tip at {time} s: {tip:.4} m, {EARLY} s before {before:.4} m, measured {place} m");
+            relative(tip, place)
         });
         let errors = errors.chunks(2).map(|pair| larger(pair[0], pair[1])).collect();
         Ok(scene.outcome(errors))
@@ -82,9 +89,9 @@ struct Scene {
 }
 
 impl Scene {
-    fn new(across: usize) -> Result<Self, BenchmarkError> {
+    fn new(across: usize, young: f64) -> Result<Self, BenchmarkError> {
         let spacing = GATE[0] / across as f64;
-        let gate = hanging(spacing)?;
+        let gate = hanging(spacing, young)?;
         let sound_speed =
             artificial_sound_speed(0.0, WATER_DENSITY, 0.0, 0.0, WATER_DENSITY * GRAVITY * WATER[1]);
         let length = 1.5 * spacing;
@@ -161,10 +168,10 @@ fn bend(gate: &mut SolidPatch<2>, loads: &[Vector2<f64>], steps: usize, dt: f64)
 }
 
 /// The gate, right of the water, held above its length.
-fn hanging(spacing: f64) -> Result<SolidPatch<2>, sph_solid::Error> {
+fn hanging(spacing: f64, young: f64) -> Result<SolidPatch<2>, sph_solid::Error> {
     let fine = spacing / FINER as f64;
     let counts = [GATE[0] / fine, clamp_end(spacing) / fine].map(|count| count.round() as usize);
-    let moduli = IsotropicModuli::from_young_and_poisson(YOUNG, POISSON)?;
+    let moduli = IsotropicModuli::from_young_and_poisson(young, POISSON)?;
     let material = Material::elastic(moduli, RUBBER_DENSITY)?;
     let mut gate =
         SolidPatch::new(SolidStart::new(lattice([WATER[0], 0.0], counts, fine), fine, material), find)?;
@@ -196,7 +203,7 @@ mod tests {
 
     #[test]
     fn water_at_rest_pushes_the_gate_by_its_weight() {
-        let scene = Scene::new(3).unwrap();
+        let scene = Scene::new(3, YOUNG).unwrap();
         let loads = scene.water.forces_on_walls(scene.gate.positions().len());
         let hung = scene.gate.positions().iter().zip(loads).filter(|(place, _)| place.y < GATE[1]);
         let pushed: Vector2<f64> = hung.map(|(_, load)| load).sum();
@@ -205,10 +212,20 @@ mod tests {
     }
 
     #[test]
-    fn the_gate_swings_away_from_the_water_and_stays_hung() {
-        let mut scene = Scene::new(2).unwrap();
-        scene.run_to(0.02);
-        let held = scene.gate.mean(|place| place.y > GATE[1], |i| scene.gate.displacements[i].norm());
-        assert!((1e-3..8e-3).contains(&scene.tip()) && held == 0.0, "{} {held}", scene.tip());
+    fn the_gate_opens_by_the_waters_weight_first_and_its_stiffness_tells_later() {
+        let tips = |young: f64| {
+            let mut scene = Scene::new(2, young).unwrap();
+            let tips = [0.03, 0.1].map(|time| {
+                scene.run_to(time);
+                scene.tip()
+            });
+            let held = scene.gate.mean(|place| place.y > GATE[1], |i| scene.gate.displacements[i].norm());
+            assert_eq!(held, 0.0, "the gate has come off");
+            tips
+        };
+        let (soft, stiff) = (tips(YOUNG), tips(1.5 * YOUNG));
+        println!("gate: tip at 0.03 and 0.1 s {soft:.4?} m, 1.5 times as stiff {stiff:.4?} m");
+        assert!((5e-3..15e-3).contains(&soft[0]) && (stiff[0] / soft[0] - 1.0).abs() < 0.05);
+        assert!(stiff[1] < 0.95 * soft[1]);
     }
 }
