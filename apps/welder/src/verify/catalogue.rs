@@ -1,6 +1,6 @@
 //! All benchmarks, in the order in which they run.
 
-use super::coupled::{cycles, gate, nist_tracks};
+use super::coupled::{cycles, gallium, gate, nist_tracks, rest};
 use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
@@ -65,9 +65,11 @@ static BENCHMARKS: &[Benchmark] = &[
     weld::LATTICE,
     weld::DISORDERED,
     nist_tracks::BENCHMARK,
+    rest::BENCHMARK,
     cycles::WITH_STRESS,
     cycles::WITH_FLOW,
     gate::BENCHMARK,
+    gallium::BENCHMARK,
     round_off::LEDGER,
     round_off::MELT_MOMENTUM,
     round_off::THREADS,

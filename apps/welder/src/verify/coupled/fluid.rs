@@ -11,57 +11,76 @@ use sph_kernel::RowBuffer;
 /// Share of the spacing that two particles may close in by before the list is made anew.
 const SKIN: f64 = 0.4;
 
+/// What fluid and walls start from: fluid first.
+pub(super) struct Columns<const D: usize> {
+    /// Places \[m\].
+    pub positions: Vec<SVector<f64, D>>,
+    /// Velocities \[m/s\].
+    pub velocities: Vec<SVector<f64, D>>,
+    /// Densities \[kg/m^3\].
+    pub densities: Vec<f64>,
+    /// Masses \[kg; kg/m in 2-D\].
+    pub masses: Vec<f64>,
+}
+
 /// Fluid particles, then those of walls.
 pub(super) struct Fluid<const D: usize> {
-    pub positions: Vec<SVector<f64, D>>,
-    pub velocities: Vec<SVector<f64, D>>,
-    pub accelerations: Vec<SVector<f64, D>>,
+    pub columns: Columns<D>,
+    /// What accelerates each particle of the fluid besides the sweep \[m/s^2\].
+    pub pushes: Vec<SVector<f64, D>>,
+    pub sweep: FluidSweep<D>,
+    pub pair_visits: u64,
+    accelerations: Vec<SVector<f64, D>>,
     controls: FluidControls<D>,
-    sweep: FluidSweep<D>,
     spacing: f64,
-    densities: Vec<f64>,
-    masses: Vec<f64>,
     list: (Vec<usize>, Vec<u32>),
     listed: Vec<SVector<f64, D>>,
-    pub pair_visits: u64,
 }
 
 impl<const D: usize> Fluid<D> {
-    /// Fluid of one particle a cell of edge `spacing` \[m\] with a `pressure` \[Pa\], and walls of the given `(place, volume)`, all
-    /// at rest.
+    /// The first `fluid` particles are fluid; `spacing` \[m\] is that of the fluid.
     pub fn new(
         controls: FluidControls<D>,
         spacing: f64,
-        places: Vec<SVector<f64, D>>,
-        pressure: impl Fn(&SVector<f64, D>) -> f64,
-        walls: &[(SVector<f64, D>, f64)],
+        columns: Columns<D>,
+        fluid: usize,
     ) -> Result<Self, sph_fluid::Error> {
-        let (state, cell) = (controls.state, spacing.powi(D as i32));
-        let mut densities: Vec<f64> = places.iter().map(|place| state.density(pressure(place))).collect();
-        let mut masses: Vec<f64> = densities.iter().map(|density| density * cell).collect();
-        let fluid = places.len();
-        let mut positions = places;
-        for (place, volume) in walls {
-            positions.push(*place);
-            densities.push(state.reference_density());
-            masses.push(state.reference_density() * volume);
-        }
         let mut made = Self {
-            velocities: vec![SVector::zeros(); positions.len()],
             accelerations: vec![SVector::zeros(); fluid],
+            pushes: vec![SVector::zeros(); fluid],
             sweep: FluidSweep::new(controls)?,
             list: (Vec::new(), Vec::new()),
             listed: Vec::new(),
             pair_visits: 0,
             controls,
             spacing,
-            densities,
-            masses,
-            positions,
+            columns,
         };
         made.find_neighbors();
         made.evaluate(0.0);
         Ok(made)
+    }
+
+    /// Fluid of one particle a cell of edge `spacing` \[m\] with a `pressure` \[Pa\], and walls of the given `(place, volume)`, all
+    /// at rest.
+    pub fn at_rest(
+        controls: FluidControls<D>,
+        spacing: f64,
+        places: Vec<SVector<f64, D>>,
+        pressure: impl Fn(&SVector<f64, D>) -> f64,
+        walls: &[(SVector<f64, D>, f64)],
+    ) -> Result<Self, sph_fluid::Error> {
+        let (state, cell, fluid) = (controls.state, spacing.powi(D as i32), places.len());
+        let mut densities: Vec<f64> = places.iter().map(|place| state.density(pressure(place))).collect();
+        let mut masses: Vec<f64> = densities.iter().map(|density| density * cell).collect();
+        let mut positions = places;
+        for (place, volume) in walls {
+            positions.push(*place);
+            densities.push(state.reference_density());
+            masses.push(state.reference_density() * volume);
+        }
+        let velocities = vec![SVector::zeros(); positions.len()];
+        Self::new(controls, spacing, Columns { positions, velocities, densities, masses }, fluid)
     }
 
     /// How many particles are fluid.
@@ -73,15 +92,16 @@ impl<const D: usize> Fluid<D> {
     pub fn step(&mut self, dt: f64, move_walls: impl FnOnce(&mut [SVector<f64, D>], &mut [SVector<f64, D>])) {
         self.kick(0.5 * dt);
         let fluid = self.len();
+        let Columns { positions, velocities, .. } = &mut self.columns;
         for i in 0..fluid {
-            self.positions[i] += self.velocities[i] * dt;
+            positions[i] += velocities[i] * dt;
         }
-        for (position, shift) in self.positions.iter_mut().zip(self.sweep.shift_velocities()) {
+        for (position, shift) in positions.iter_mut().zip(self.sweep.shift_velocities()) {
             *position += shift * dt;
         }
-        move_walls(&mut self.positions[fluid..], &mut self.velocities[fluid..]);
+        move_walls(&mut positions[fluid..], &mut velocities[fluid..]);
         let far = 0.5 * SKIN * self.spacing;
-        if self.positions.iter().zip(&self.listed).any(|(now, then)| (now - then).norm() > far) {
+        if positions.iter().zip(&self.listed).any(|(now, then)| (now - then).norm() > far) {
             self.find_neighbors();
         }
         self.evaluate(dt);
@@ -91,21 +111,16 @@ impl<const D: usize> Fluid<D> {
     /// Forces of the fluid on the first `count` particles of the walls \[N; N/m in 2-D\]: pair by pair the opposite of what
     /// pressure and artificial viscosity do to the fluid. Friction is left out, so that the controls must have none.
     pub fn forces_on_walls(&self, count: usize) -> Vec<SVector<f64, D>> {
-        let volumes: Vec<f64> =
-            self.masses.iter().zip(&self.densities).map(|(mass, density)| mass / density).collect();
-        let columns = Fields {
-            masses: &self.masses,
-            densities: &self.densities,
-            volumes: &volumes,
-            pressures: self.sweep.pressures(),
-            velocities: &self.velocities,
-        };
+        let Columns { positions, velocities, densities, masses } = &self.columns;
+        let volumes: Vec<f64> = masses.iter().zip(densities).map(|(mass, density)| mass / density).collect();
+        let pressures = self.sweep.pressures();
+        let columns = Fields { masses, densities, volumes: &volumes, pressures, velocities };
         let kernel = &self.controls.kernel;
         let sound_speed = self.controls.state.reference_sound_speed();
         let mut buffer = RowBuffer::default();
         let mut force = |particle: usize| {
             let neighbors = &self.list.1[self.list.0[particle]..self.list.0[particle + 1]];
-            let row = buffer.fill(particle, neighbors, &self.positions, kernel);
+            let row = buffer.fill(particle, neighbors, positions, kernel);
             let wet = leading_part(&row, self.len());
             let damped = artificial_acceleration(
                 &wet,
@@ -114,35 +129,39 @@ impl<const D: usize> Fluid<D> {
                 sound_speed,
                 self.controls.artificial_viscosity,
             );
-            (volume_pressure_acceleration(&wet, &columns) + damped) * self.masses[particle]
+            (volume_pressure_acceleration(&wet, &columns) + damped) * masses[particle]
         };
         (self.len()..self.len() + count).map(&mut force).collect()
     }
 
     fn kick(&mut self, dt: f64) {
-        for (velocity, acceleration) in self.velocities.iter_mut().zip(&self.accelerations) {
+        for (velocity, acceleration) in self.columns.velocities.iter_mut().zip(&self.accelerations) {
             *velocity += acceleration * dt;
         }
     }
 
     fn find_neighbors(&mut self) {
         let reach = self.controls.kernel.support_radius() + SKIN * self.spacing;
-        self.list = find(&self.positions, reach);
-        self.listed.clone_from(&self.positions);
+        self.list = find(&self.columns.positions, reach);
+        self.listed.clone_from(&self.columns.positions);
     }
 
     fn evaluate(&mut self, dt: f64) {
+        let Columns { positions, velocities, densities, masses } = &mut self.columns;
         let fields = FluidFields {
-            positions: &self.positions,
-            velocities: &self.velocities,
-            masses: &self.masses,
+            positions,
+            velocities,
+            masses,
             temperatures: &[],
             copies: &[],
             mirrors: &[],
             list_starts: &self.list.0,
             list_neighbors: &self.list.1,
         };
-        self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
+        self.sweep.accelerations(&fields, densities, dt, &mut self.accelerations);
+        for (acceleration, push) in self.accelerations.iter_mut().zip(&self.pushes) {
+            *acceleration += push;
+        }
         self.pair_visits += 2 * self.list.0[self.accelerations.len()] as u64;
     }
 }
@@ -164,11 +183,11 @@ mod tests {
         let place = |k: i32| Vector2::new(f64::from(k % 6) + 0.5, f64::from(k / 6) + 0.5) * 0.1;
         let walls: Vec<_> = (0..24).map(|k| (place(k) - Vector2::new(0.0, 0.4), 0.01)).collect();
         let depth = |place: &Vector2<f64>| 500.0 + 300.0 * place.x - 200.0 * place.y;
-        let mut fluid = Fluid::new(controls, 0.1, (0..36).map(place).collect(), depth, &walls).unwrap();
-        fluid.velocities.iter_mut().enumerate().for_each(|(i, v)| v.y = 0.1 * (i as f64).sin());
+        let mut fluid = Fluid::at_rest(controls, 0.1, (0..36).map(place).collect(), depth, &walls).unwrap();
+        fluid.columns.velocities.iter_mut().enumerate().for_each(|(i, v)| v.y = 0.1 * (i as f64).sin());
         fluid.evaluate(0.0);
         let given: Vector2<f64> = fluid.forces_on_walls(24).into_iter().sum();
-        let taken: Vector2<f64> = (0..36).map(|i| fluid.accelerations[i] * fluid.masses[i]).sum();
+        let taken: Vector2<f64> = (0..36).map(|i| fluid.accelerations[i] * fluid.columns.masses[i]).sum();
         assert!(given.y < -100.0, "the fluid presses down: {given}");
         assert!((given + taken).norm() < 1e-11 * given.norm(), "{given} {taken}");
     }

@@ -38,26 +38,42 @@ const FINER: usize = 2;
 /// When \[s\], and how far the free end has moved from the water \[m\].
 const TIP: [(f64, f64); 4] = [(0.040, 0.0125), (0.080, 0.0340), (0.119, 0.0440), (0.161, 0.0464)];
 
+/// The computed gate is this much early at first \[s\]; what the tip does then is told beside, and not judged.
+const EARLY: f64 = 4.4e-3;
+
 pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
     name: "coupled/elastic-gate",
     tested_crate: "welder",
     reference: "experiment of Antoci, Gallati and Sibilla (2007): dam break on an elastic gate",
-    quantities: &[Quantity {
-        suffix: "",
-        text: "worst relative error of the tip's displacement at 0.040, 0.080, 0.119 and 0.161 s; resolution: spacings of \
-               the water to the gate's thickness, the gate has two particles to each",
-        marks: &[Mark { resolution: 3.0, error: 0.26 }, Mark { resolution: 5.0, error: 0.1 }],
-    }],
+    quantities: &[
+        Quantity {
+            suffix: "opening",
+            text: "worst relative error of the tip's displacement at 0.040 and 0.080 s; resolution: spacings of the water to \
+                   the gate's thickness, the gate has two particles to each. Known to miss 10 %, alike at all resolutions: \
+                   the computed gate is 4.4 ms early (all four points would agree to 10 % if the measured gate was let go late), \
+                   and stiffness does not matter yet",
+            marks: &[Mark { resolution: 3.0, error: 0.26 }, Mark { resolution: 5.0, error: 0.1 }],
+        },
+        Quantity {
+            suffix: "open",
+            text: "the same at 0.119 and 0.161 s",
+            marks: &[Mark { resolution: 3.0, error: 0.1 }, Mark { resolution: 5.0, error: 0.1 }],
+        },
+    ],
     resolutions: [3.0, 4.0, 5.0],
     quick: 1,
     run: |resolution| {
-        let mut scene = Scene::new(resolution as usize)?;
-        let error = TIP.map(|(time, place)| {
+        let mut scene = Scene::new(resolution as usize, YOUNG)?;
+        let errors = TIP.map(|(time, place)| {
+            scene.run_to(time - EARLY);
+            let before = scene.tip();
             scene.run_to(time);
-            tracing::info!("tip at {time} s: {:.4} m, measured {place} m", scene.tip());
-            relative(scene.tip(), place)
+            let tip = scene.tip();
+            tracing::info!("tip at {time} s: {tip:.4} m, {EARLY} s before {before:.4} m, measured {place} m");
+            relative(tip, place)
         });
-        Ok(scene.outcome(error.into_iter().fold(0.0, larger)))
+        let errors = errors.chunks(2).map(|pair| larger(pair[0], pair[1])).collect();
+        Ok(scene.outcome(errors))
     },
 };
 
@@ -73,9 +89,9 @@ struct Scene {
 }
 
 impl Scene {
-    fn new(across: usize) -> Result<Self, BenchmarkError> {
+    fn new(across: usize, young: f64) -> Result<Self, BenchmarkError> {
         let spacing = GATE[0] / across as f64;
-        let gate = hanging(spacing)?;
+        let gate = hanging(spacing, young)?;
         let sound_speed =
             artificial_sound_speed(0.0, WATER_DENSITY, 0.0, 0.0, WATER_DENSITY * GRAVITY * WATER[1]);
         let length = 1.5 * spacing;
@@ -94,7 +110,7 @@ impl Scene {
         let mut walls: Vec<_> = gate.positions().iter().map(|place| (*place, cell)).collect();
         walls.extend(rigid_walls(spacing).into_iter().map(|place| (place, spacing * spacing)));
         let pressure = |place: &Vector2<f64>| WATER_DENSITY * GRAVITY * (WATER[1] - place.y);
-        let water = Fluid::new(controls, spacing, lattice([0.0; 2], counts, spacing), pressure, &walls)?;
+        let water = Fluid::at_rest(controls, spacing, lattice([0.0; 2], counts, spacing), pressure, &walls)?;
         let dt = 0.5 * length / sound_speed;
         let finer_steps = (dt / gate.body().stable_step(DEFAULT_STEP_FACTOR)).ceil() as usize;
         Ok(Self { water, gate, spacing, time: 0.0, dt, finer_steps })
@@ -126,10 +142,10 @@ impl Scene {
         self.gate.mean(|place| place.y < lowest, |i| self.gate.displacements[i].x)
     }
 
-    fn outcome(&self, error: f64) -> Outcome {
+    fn outcome(&self, errors: Vec<f64>) -> Outcome {
         Outcome {
-            errors: vec![error],
-            particles: self.water.positions.len(),
+            errors,
+            particles: self.water.columns.positions.len(),
             pair_visits: self.water.pair_visits + self.gate.pair_visits(),
         }
     }
@@ -152,10 +168,10 @@ fn bend(gate: &mut SolidPatch<2>, loads: &[Vector2<f64>], steps: usize, dt: f64)
 }
 
 /// The gate, right of the water, held above its length.
-fn hanging(spacing: f64) -> Result<SolidPatch<2>, sph_solid::Error> {
+fn hanging(spacing: f64, young: f64) -> Result<SolidPatch<2>, sph_solid::Error> {
     let fine = spacing / FINER as f64;
     let counts = [GATE[0] / fine, clamp_end(spacing) / fine].map(|count| count.round() as usize);
-    let moduli = IsotropicModuli::from_young_and_poisson(YOUNG, POISSON)?;
+    let moduli = IsotropicModuli::from_young_and_poisson(young, POISSON)?;
     let material = Material::elastic(moduli, RUBBER_DENSITY)?;
     let mut gate =
         SolidPatch::new(SolidStart::new(lattice([WATER[0], 0.0], counts, fine), fine, material), find)?;
@@ -179,4 +195,37 @@ fn rigid_walls(spacing: f64) -> Vec<Vector2<f64>> {
     let (low, high) = (clamp_end(spacing), 1.5 * WATER[1]);
     let right = lattice([WATER[0], low], [LAYERS, cells(high - low)], spacing);
     [floor, left, right].concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn water_at_rest_pushes_the_gate_by_its_weight() {
+        let scene = Scene::new(3, YOUNG).unwrap();
+        let loads = scene.water.forces_on_walls(scene.gate.positions().len());
+        let hung = scene.gate.positions().iter().zip(loads).filter(|(place, _)| place.y < GATE[1]);
+        let pushed: Vector2<f64> = hung.map(|(_, load)| load).sum();
+        let exact = WATER_DENSITY * GRAVITY * GATE[1] * (WATER[1] - 0.5 * GATE[1]);
+        assert!((pushed.x / exact - 1.0).abs() < 0.04 && pushed.y.abs() < 0.02 * exact, "{pushed} {exact}");
+    }
+
+    #[test]
+    fn the_gate_opens_by_the_waters_weight_first_and_its_stiffness_tells_later() {
+        let tips = |young: f64| {
+            let mut scene = Scene::new(2, young).unwrap();
+            let tips = [0.03, 0.1].map(|time| {
+                scene.run_to(time);
+                scene.tip()
+            });
+            let held = scene.gate.mean(|place| place.y > GATE[1], |i| scene.gate.displacements[i].norm());
+            assert_eq!(held, 0.0, "the gate has come off");
+            tips
+        };
+        let (soft, stiff) = (tips(YOUNG), tips(1.5 * YOUNG));
+        println!("gate: tip at 0.03 and 0.1 s {soft:.4?} m, 1.5 times as stiff {stiff:.4?} m");
+        assert!((5e-3..15e-3).contains(&soft[0]) && (stiff[0] / soft[0] - 1.0).abs() < 0.05);
+        assert!(stiff[1] < 0.95 * soft[1]);
+    }
 }

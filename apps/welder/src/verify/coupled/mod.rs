@@ -2,5 +2,7 @@
 
 pub(super) mod cycles;
 mod fluid;
+pub(super) mod gallium;
 pub(super) mod gate;
 pub(super) mod nist_tracks;
+pub(super) mod rest;

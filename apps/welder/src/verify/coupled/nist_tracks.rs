@@ -79,7 +79,6 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
 
 fn fitted_tracks(resolution: f64) -> Result<Outcome, BenchmarkError> {
     let (absorptivity, first) = fit(resolution)?;
-    tracing::info!("absorptivity {absorptivity:.4} at {resolution} spacings to the beam's radius");
     let [second, third] = [TRACKS[1], TRACKS[2]].map(|track| track.run(resolution, absorptivity));
     let (second, third) = (second?, third?);
     let worst_of = |errors: fn(&Track, &Extent) -> f64| {
@@ -123,7 +122,16 @@ fn fit(resolution: f64) -> Result<(f64, Simulation), BenchmarkError> {
 impl Track {
     /// Half of the track, behind the mirror plane y = 0, with the program's levels.
     fn run(&self, resolution: f64, absorptivity: f64) -> Result<Simulation, BenchmarkError> {
-        run(self.model(resolution, absorptivity)?)
+        let simulation = run(self.model(resolution, absorptivity)?)?;
+        let (fused, peak) = (simulation.gauge().weld(), simulation.records().peak_temperature);
+        tracing::info!(
+            "{} W, {} m/s, absorptivity {absorptivity:.4}: width {:.1} um, depth {:.1} um, peak {peak:.0} K",
+            self.power,
+            self.speed,
+            1e6 * fused.width,
+            1e6 * fused.depth
+        );
+        Ok(simulation)
     }
 
     fn model(&self, resolution: f64, absorptivity: f64) -> Result<Model, ModelError> {
