@@ -49,7 +49,14 @@ impl<const D: usize> SymmetricTensor<D> {
     #[inline]
     #[must_use]
     pub fn norm_squared(&self) -> f64 {
-        self.in_plane.norm_squared() + self.out_of_plane * self.out_of_plane
+        self.product(self)
+    }
+
+    /// A : B, the sum of the products of all components.
+    #[inline]
+    #[must_use]
+    pub fn product(&self, other: &Self) -> f64 {
+        self.in_plane.dot(&other.in_plane) + self.out_of_plane * other.out_of_plane
     }
 
     /// Von Mises stress sqrt(3/2 S : S) of a stress, S its deviator \[Pa\] (von Mises 1913).
@@ -109,6 +116,7 @@ mod tests {
         let full = SymmetricTensor { in_plane: full, out_of_plane: 0.0 };
         assert_eq!(plane.trace(), full.trace());
         assert_eq!(plane.norm_squared(), full.norm_squared());
+        assert_eq!(plane.product(&plane), full.norm_squared());
         assert!((plane.von_mises() / full.von_mises() - 1.0).abs() < 1e-15);
         assert!(plane.deviator().trace().abs() < 1e-15 && full.deviator().trace().abs() < 1e-15);
     }

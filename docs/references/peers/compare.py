@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Times whole steps of this project beside LAMMPS on three scenes: heat, dam break, elastic bar. See README.md.
 
-python3 docs/references/peers/compare.py [--peers FOLDER] [--repeats 3] [--threads 2] [--quick]
+python3 docs/references/peers/compare.py [--peers FOLDER] [--repeats 3] [--threads 2] [--scenes elastic ...] [--quick]
 """
 
 import argparse
@@ -18,7 +18,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
-EXAMPLES = {"sph-thermal": "heat_cost", "sph-fluid": "fluid_cost", "sph-solid": "solid_cost"}
+EXAMPLES = {"heat": "heat_cost", "dam-break": "fluid_cost", "elastic": "solid_cost"}
+PACKAGES = {"heat_cost": "sph-thermal", "fluid_cost": "sph-fluid", "solid_cost": "sph-solid"}
 
 SUPPORT = 2.6
 """Radius of the support of all kernels [spacings], ours and theirs."""
@@ -140,46 +141,51 @@ class Lammps:
         return Run(particles, pairs, steps, seconds, float(seconds) * share * self.ranks)
 
 
-def run_lammps(lammps, size):
+def run_lammps(lammps, scenes, size):
     """One run of every style of LAMMPS."""
-    side, steps = size["heat_side"], size["lammps_steps"]
-    text = lammps.run("heat.in", dp=0.01, nx=side, n=4 * steps)
-    yield ("heat", "sph/heatconduction"), lammps.timed(text, side**3, heat_pairs(side))
+    steps = size["lammps_steps"]
+    if "heat" in scenes:
+        side = size["heat_side"]
+        text = lammps.run("heat.in", dp=0.01, nx=side, n=4 * steps)
+        yield ("heat", "sph/heatconduction"), lammps.timed(text, side**3, heat_pairs(side))
 
-    text = lammps.run("dam_break.in", dp=size["dam_spacing"], n=steps)
-    water, wall, pairs = dam_break_counts(size["dam_spacing"])
-    if f"FLUID {water} WALL {wall}" not in text:
-        sys.exit(f"LAMMPS did not make {water} particles of water and {wall} of wall: the pairs are not known")
-    yield ("dam-break", "sph/taitwater"), lammps.timed(text, water, pairs)
+    if "dam-break" in scenes:
+        text = lammps.run("dam_break.in", dp=size["dam_spacing"], n=steps)
+        water, wall, pairs = dam_break_counts(size["dam_spacing"])
+        if f"FLUID {water} WALL {wall}" not in text:
+            sys.exit(f"LAMMPS did not make {water} particles of water and {wall} of wall: the pairs are not known")
+        yield ("dam-break", "sph/taitwater"), lammps.timed(text, water, pairs)
 
-    length, width = size["bar"]
-    particles, pairs = length * width**2, bar_pairs(length, width)
-    for style in ["ul", "tl"]:
-        text = lammps.run("elastic.in", style=style, nx=length, ny=width, n=steps)
-        yield ("elastic", f"smd/{style}sph"), lammps.timed(text, particles, pairs)
+    if "elastic" in scenes:
+        length, width = size["bar"]
+        particles, pairs = length * width**2, bar_pairs(length, width)
+        for style in ["ul", "tl"]:
+            text = lammps.run("elastic.in", style=style, nx=length, ny=width, n=steps)
+            yield ("elastic", f"smd/{style}sph"), lammps.timed(text, particles, pairs)
 
 
-def run_ours(examples, threads, size):
-    """One run of every example."""
+def run_ours(examples, threads, scenes, size):
+    """One run of the example of every scene."""
     steps = size["lammps_steps"]
     environment = dict(os.environ, RAYON_NUM_THREADS=str(threads))
-    for example, arguments in [
-        ("heat_cost", [size["heat_side"], 20 * steps]),
-        ("fluid_cost", [dam_break_counts(size["dam_spacing"])[0], threads]),
-        ("solid_cost", [*size["bar"], 2 * steps]),
-    ]:
-        text = output(examples / example, *map(str, arguments), env=environment)
+    arguments = {
+        "heat": [size["heat_side"], 20 * steps],
+        "dam-break": [dam_break_counts(size["dam_spacing"])[0], threads],
+        "elastic": [*size["bar"], 2 * steps],
+    }
+    for scene in scenes:
+        text = output(examples / EXAMPLES[scene], *map(str, arguments[scene]), env=environment)
         for line in re.findall(r"^RESULT (.*)$", text, re.MULTILINE):
             result = dict(pair.split("=") for pair in line.split())
             keys = ["particles", "pairs", "steps", "seconds", "processor_seconds"]
             yield (result["scene"], result["form"]), Run(*(result[key] for key in keys))
 
 
-def build():
-    """Builds the examples and returns their folder."""
+def build(scenes):
+    """Builds the examples of the scenes and returns their folder."""
     command = ["cargo", "build", "--release", "--locked"]
-    for package, example in EXAMPLES.items():
-        command += ["--package", package, "--example", example]
+    for example in (EXAMPLES[scene] for scene in scenes):
+        command += ["--package", PACKAGES[example], "--example", example]
     subprocess.run(command, cwd=ROOT, check=True)
     metadata = output("cargo", "metadata", "--no-deps", "--format-version=1", cwd=ROOT)
     return Path(json.loads(metadata)["target_directory"]) / "release" / "examples"
@@ -236,14 +242,15 @@ def print_table(results):
 
 def print_ratios(results):
     print(f"\nours over LAMMPS{'':38} {'per pair':>8} {'wanted':>6} {'per particle-step':>18} {'per pair, cpu s':>16}")
-    for scene, theirs, ours, wanted in COMPARISONS:
+    for scene, theirs, ours, wanted in (row for row in COMPARISONS if (row[0], row[1]) in results):
         other, own = rates(results[scene, theirs]), rates(results[scene, ours])
         particle, pair, busy = (mine / peer for mine, peer in zip(own, other))
         print(
             f"{scene:10} {ours:26} / {theirs:18}{pair:7.2f} {wanted or '-':>6} {particle:18.2f} {busy:16.2f}"
         )
-    total = rates(results["elastic", "total"])[0]
-    print(f"total Lagrangian: {total:.2f} million particle-steps a second, wanted {WANTED_TOTAL_LAGRANGIAN}")
+    if ("elastic", "total") in results:
+        total = rates(results["elastic", "total"])[0]
+        print(f"total Lagrangian: {total:.2f} million particle-steps a second, wanted {WANTED_TOTAL_LAGRANGIAN}")
 
 
 def main():
@@ -251,6 +258,8 @@ def main():
     parser.add_argument("--peers", type=Path, default=ROOT / "target" / "peers", help="folder of the virtual environment")
     parser.add_argument("--repeats", type=int, default=3, help="how often all is run, interleaved")
     parser.add_argument("--threads", type=int, default=2, help="threads of ours, ranks of LAMMPS")
+    scenes = sorted({scene for scene, *_ in COMPARISONS})
+    parser.add_argument("--scenes", nargs="+", choices=scenes, default=scenes, help="which to run; all without it")
     parser.add_argument("--quick", action="store_true", help="small scenes: only to see that all works")
     arguments = parser.parse_args()
 
@@ -259,16 +268,16 @@ def main():
         size = {"heat_side": 24, "dam_spacing": 0.043, "bar": (40, 12), "lammps_steps": 5}
 
     lammps = Lammps(arguments.peers.resolve(), arguments.threads)
-    examples = build()
+    examples = build(arguments.scenes)
     print(f"machine: {machine()}; load at the start {load()}")
     print(f"LAMMPS: {lammps.versions()}")
     print(f"ours: {our_versions(arguments.threads)}")
     results = {}
     for repeat in range(arguments.repeats):
         print(f"run {repeat + 1} of {arguments.repeats}, load {load()}", file=sys.stderr)
-        for key, run in run_lammps(lammps, size):
+        for key, run in run_lammps(lammps, arguments.scenes, size):
             results.setdefault(key, []).append(run)
-        for key, run in run_ours(examples, arguments.threads, size):
+        for key, run in run_ours(examples, arguments.threads, arguments.scenes, size):
             results.setdefault(key, []).append(run)
     print_table(results)
     print_ratios(results)

@@ -19,6 +19,10 @@ pub struct HotSphere {
     pub centre: f64,
     /// Mean outward displacement from 0.85 of the radius on over the exact one.
     pub growth: f64,
+    /// Hoop stress at the surface over the exact one: the straight line in r^2 that is nearest to the hoop stresses between
+    /// half the radius and two spacings below the surface, continued to it. The outermost two rows of a lattice that is cut
+    /// into a ball carry stress of their stairs.
+    pub hoop: f64,
     /// The sphere.
     pub patch: SolidPatch<3>,
 }
@@ -81,7 +85,25 @@ pub fn hot_sphere(cells: usize, find: FindNeighbors<3>) -> Result<HotSphere, Err
         patch.displacements[i].dot(&position) / r / exact(r)
     };
     let growth = patch.mean(|x| x.norm() > 0.85 * radius, outward);
-    Ok(HotSphere { error, centre, growth, patch })
+    let inner = patch.positions().iter().zip(&stresses).filter_map(|(x, stress)| {
+        let hoop = 0.5 * (stress.trace() - x.normalize().dot(&(stress.in_plane * x.normalize())));
+        (0.5 * radius..radius - 2.0 * SPACING).contains(&x.norm()).then(|| (square(x.norm()), hoop))
+    });
+    let hoop = line_at_one(inner) / (0.4 * scale);
+    Ok(HotSphere { error, centre, growth, hoop, patch })
+}
+
+/// Value at 1 of the straight line nearest to points (least squares).
+fn line_at_one(points: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (mut count, mut sums, mut products) = (0.0, [0.0; 2], [0.0; 2]);
+    for (x, y) in points {
+        count += 1.0;
+        sums = [sums[0] + x, sums[1] + y];
+        products = [products[0] + x * x, products[1] + x * y];
+    }
+    let mean = sums.map(|sum| sum / count);
+    let slope = (products[1] - mean[0] * sums[1]) / (products[0] - mean[0] * sums[0]);
+    mean[1] + slope * (1.0 - mean[0])
 }
 
 /// A disc or ball at rest, warmed by `rise` \[K\] of the distance from its centre \[m\].
@@ -118,4 +140,15 @@ fn error<const D: usize>(
 fn radial<const D: usize>(position: &SVector<f64, D>, radial: f64, hoop: f64) -> SMatrix<f64, D, D> {
     let outward = position.normalize();
     SMatrix::identity() * hoop + outward * outward.transpose() * (radial - hoop)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_continued() {
+        assert!((line_at_one([0.2, 0.5, 0.6].map(|x| (x, 3.0 - 2.0 * x)).into_iter()) - 1.0).abs() < 1e-14);
+        assert!((line_at_one([(0.0, 1.0), (0.5, 0.0), (0.0, 3.0)].into_iter()) + 2.0).abs() < 1e-14);
+    }
 }

@@ -3,7 +3,7 @@
 mod total;
 mod updated;
 
-pub use total::{SolidPatch, SolidStart};
+pub use total::{MechanicalLedger, SolidPatch, SolidStart};
 pub use updated::UpdatedPatch;
 
 use nalgebra::SVector;

@@ -12,8 +12,10 @@ use sph_kernel::{Kernel, KernelKind};
 /// What a patch starts from.
 #[derive(Clone, Debug)]
 pub struct SolidStart<const D: usize> {
-    /// Positions \[m\]; each particle has the volume of a cell.
+    /// Positions \[m\].
     pub positions: Vec<SVector<f64, D>>,
+    /// Volumes over that of a cell \[-\]; without entries, every particle has the volume of a cell.
+    pub shares: Vec<f64>,
     /// Edge of a cell \[m\].
     pub spacing: f64,
     /// Smoothing length over the spacing \[-\], of a Gaussian kernel.
@@ -28,7 +30,8 @@ impl<const D: usize> SolidStart<D> {
     /// With the smoothing length, 0.8 spacings, that the default controls are for.
     #[must_use]
     pub fn new(positions: Vec<SVector<f64, D>>, spacing: f64, material: Material) -> Self {
-        Self { positions, spacing, smoothing_ratio: 0.8, material, controls: Controls::default() }
+        let shares = Vec::new();
+        Self { positions, shares, spacing, smoothing_ratio: 0.8, material, controls: Controls::default() }
     }
 }
 
@@ -58,6 +61,37 @@ pub struct SolidPatch<const D: usize> {
     /// Directed pairs that the two passes of one evaluation visit.
     visits: u64,
     pair_visits: u64,
+    ledger: MechanicalLedger,
+}
+
+/// Where the mechanical energy of a patch is, came from and went \[J; J/m in plane strain\], in the units of the solver.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MechanicalLedger {
+    /// Kinetic energy.
+    pub kinetic: f64,
+    /// Elastic energy.
+    pub elastic: f64,
+    /// Energy of the hourglass control.
+    pub hourglass: f64,
+    /// Work of plastic strain since the start.
+    pub plastic: f64,
+    /// What the artificial viscosity took.
+    pub viscous: f64,
+    /// What fading velocities took ([`SolidPatch::settle`]).
+    pub damped: f64,
+    /// What the body acceleration brought.
+    pub weight: f64,
+    /// What [`SolidPatch::set_temperatures`] brought: elastic energy of the same shape at another temperature.
+    pub warmed: f64,
+}
+
+impl MechanicalLedger {
+    /// Stored and taken energy less what was brought: stays, to the order of the step, while a body is stepped.
+    #[must_use]
+    pub fn balance(&self) -> f64 {
+        let stored = self.kinetic + self.elastic + self.hourglass;
+        stored + self.plastic + self.viscous + self.damped - self.weight - self.warmed
+    }
 }
 
 impl<const D: usize> SolidPatch<D> {
@@ -67,7 +101,7 @@ impl<const D: usize> SolidPatch<D> {
     /// [`Error::OutOfRange`] for a spacing or a smoothing length that is not positive, and what [`TotalLagrangian::new`]
     /// refuses.
     pub fn new(start: SolidStart<D>, find: FindNeighbors<D>) -> Result<Self, Error> {
-        let SolidStart { positions, spacing, smoothing_ratio, material, controls } = start;
+        let SolidStart { positions, shares, spacing, smoothing_ratio, material, controls } = start;
         require(spacing > 0.0, "spacing", spacing, "a positive length in metres")?;
         require(smoothing_ratio > 0.0, "smoothing_ratio", smoothing_ratio, "positive")?;
         let (particles, kernel, length) = (positions.len(), KernelKind::Gaussian, smoothing_ratio * spacing);
@@ -75,12 +109,16 @@ impl<const D: usize> SolidPatch<D> {
         let reach = Kernel::<D>::support_radius(kernel, length) * (1.0 + 1e-9);
         let (list_starts, list_neighbors) = find(&positions, reach);
         let density = material.expansion.reference_density(START_TEMPERATURE);
-        let volume = spacing.powi(D as i32);
+        let cell = spacing.powi(D as i32);
+        let volumes: Vec<f64> = match shares.len() {
+            0 => vec![cell; particles],
+            _ => shares.iter().map(|share| share * cell).collect(),
+        };
         let temperatures = vec![START_TEMPERATURE; particles];
         let columns = ReferenceColumns {
             positions: &positions,
-            volumes: &vec![volume; particles],
-            masses: &vec![density * volume; particles],
+            volumes: &volumes,
+            masses: &volumes.iter().map(|volume| density * volume).collect::<Vec<_>>(),
             temperatures: &temperatures,
             smoothing_lengths: &vec![length; particles],
             list_starts: &list_starts,
@@ -98,6 +136,7 @@ impl<const D: usize> SolidPatch<D> {
             accelerations: vec![SVector::zeros(); particles],
             visits: 2 * list_neighbors.len() as u64,
             pair_visits: 0,
+            ledger: MechanicalLedger::default(),
             temperatures,
             wave_speed,
             positions,
@@ -138,8 +177,14 @@ impl<const D: usize> SolidPatch<D> {
 
     /// Sets temperatures \[K\].
     pub fn set_temperatures(&mut self, temperature: impl Fn(&SVector<f64, D>) -> f64) {
+        let before = self.elastic_energy();
         self.temperatures.clear();
         self.temperatures.extend(self.positions.iter().map(temperature));
+        self.ledger.warmed += self.elastic_energy() - before;
+    }
+
+    fn elastic_energy(&self) -> f64 {
+        self.body.elastic_energy(self.positions.len(), &self.temperatures, &self.strains)
     }
 
     /// Holds all components of the particles that `fixed` takes.
@@ -162,6 +207,7 @@ impl<const D: usize> SolidPatch<D> {
         let mut inelastic = Inelastic { strains: &mut self.strains, equivalents: &mut self.equivalents };
         self.body.accelerations(&motion, &mut inelastic, &mut self.accelerations);
         self.accelerations.iter_mut().for_each(|acceleration| *acceleration += self.body_acceleration);
+        self.ledger.plastic += self.body.plastic_works().iter().sum::<f64>();
         self.pair_visits += self.visits;
     }
 
@@ -171,8 +217,14 @@ impl<const D: usize> SolidPatch<D> {
         for (displacement, velocity) in self.displacements.iter_mut().zip(&self.velocities) {
             *displacement += velocity * dt;
         }
+        self.ledger.weight += dt * self.momentum().dot(&self.body_acceleration);
         self.evaluate();
         kick(&mut self.velocities, &self.accelerations, &self.free, 0.5 * dt);
+        self.ledger.viscous += dt * self.body.viscous_power(&self.velocities);
+    }
+
+    fn momentum(&self) -> SVector<f64, D> {
+        self.body.masses().iter().zip(&self.velocities).map(|(mass, velocity)| velocity * *mass).sum()
     }
 
     /// Evaluates and steps `steps` times by `dt` \[s\].
@@ -194,7 +246,9 @@ impl<const D: usize> SolidPatch<D> {
         self.evaluate();
         for _ in 0..steps {
             self.step(dt);
+            let moving = kinetic_energy(self.body.masses(), &self.velocities);
             self.velocities.iter_mut().for_each(|velocity| *velocity *= kept);
+            self.ledger.damped += moving * (1.0 - kept * kept);
         }
     }
 
@@ -213,6 +267,20 @@ impl<const D: usize> SolidPatch<D> {
     pub fn energies(&self) -> [f64; 3] {
         let (elastic, hourglass) = self.body.energies(&self.temperatures, &self.strains);
         [kinetic_energy(self.body.masses(), &self.velocities), elastic, hourglass]
+    }
+
+    /// Energies now, and what was taken and brought since the start. Its [`balance`](MechanicalLedger::balance) stays, but
+    /// for what a caller does by setting displacements, velocities or strains.
+    #[must_use]
+    pub fn ledger(&self) -> MechanicalLedger {
+        let [kinetic, elastic, hourglass] = self.energies();
+        MechanicalLedger { kinetic, elastic, hourglass, ..self.ledger }
+    }
+
+    /// Heat \[W; W/m in plane strain\] of the present velocities by the Gough-Joule effect, one entry per particle
+    /// ([`TotalLagrangian::gough_joule_heats`]).
+    pub fn gough_joule_heats(&mut self, heats: &mut [f64]) {
+        self.body.gough_joule_heats(&self.velocities, &self.temperatures, heats);
     }
 
     /// Mean of a value over the particles whose reference positions satisfy `inside`.

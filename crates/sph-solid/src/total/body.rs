@@ -6,6 +6,7 @@ use super::material::{Controls, Material};
 use super::point::{PointLaw, viscous_force};
 use super::reference::{Reference, ReferenceColumns};
 use crate::error::Error;
+use crate::laws::small::{determinant, inverse};
 use crate::{
     ArtificialViscosity, SymmetricTensor, cauchy_stress, elastic_energy, elastic_strain, pressure_wave_speed,
     second_stress, stable_step,
@@ -53,6 +54,16 @@ pub struct TotalLagrangian<const D: usize> {
     /// Sums for F, then P B - c/2 (F - 1) \[Pa\], c the hourglass modulus.
     tensors: Vec<Columns<D>>,
     forces: Vec<Lanes>,
+    /// Work of yield in the last evaluation \[J; J/m in plane strain\].
+    plastic_works: Vec<f64>,
+    heat: RateBuffer<D>,
+}
+
+/// What [`TotalLagrangian::gough_joule_heats`] works in.
+#[derive(Clone, Debug, Default)]
+struct RateBuffer<const D: usize> {
+    velocities: Vec<Lanes>,
+    sums: Vec<Columns<D>>,
 }
 
 impl<const D: usize> TotalLagrangian<D> {
@@ -81,6 +92,8 @@ impl<const D: usize> TotalLagrangian<D> {
             deformations: vec![SMatrix::identity(); particles],
             tensors: vec![[Lanes::default(); D]; particles],
             forces: vec![Lanes::default(); particles],
+            plastic_works: vec![0.0; particles],
+            heat: RateBuffer::default(),
             material,
             controls,
         })
@@ -162,8 +175,9 @@ impl<const D: usize> TotalLagrangian<D> {
             .zip(self.deformations.par_chunks_mut(BLOCK))
             .zip(inelastic.strains.par_chunks_mut(BLOCK))
             .zip(inelastic.equivalents.par_chunks_mut(BLOCK))
+            .zip(self.plastic_works.par_chunks_mut(BLOCK))
             .enumerate()
-            .for_each(|(block, (((tensors, deformations), strains), equivalents))| {
+            .for_each(|(block, ((((tensors, deformations), strains), equivalents), works))| {
                 let first = block * BLOCK;
                 reference.links.gradient_sums(first, moved, tensors);
                 for k in 0..tensors.len() {
@@ -179,7 +193,9 @@ impl<const D: usize> TotalLagrangian<D> {
                         temperature,
                         &mut strains[k],
                         &mut equivalents[k],
+                        &mut works[k],
                     );
+                    works[k] /= reference.inverse_volumes[i];
                     let hourglass = gradient * (0.5 * point.hourglass_modulus);
                     tensors[k] = columns(&(stress * correction - hourglass));
                 }
@@ -284,6 +300,74 @@ impl<const D: usize> TotalLagrangian<D> {
                 / self.reference.inverse_volumes[i]
         };
         (0..particles).map(elastic).sum()
+    }
+
+    /// Work of yield in the last call of [`TotalLagrangian::accelerations`], one entry per particle \[J; J/m in plane
+    /// strain\], in the units of the solver: stress times what it added to the plastic strain.
+    #[must_use]
+    pub fn plastic_works(&self) -> &[f64] {
+        &self.plastic_works
+    }
+
+    /// Power that the artificial viscosity of the last call of [`TotalLagrangian::accelerations`] takes from particles
+    /// with these `velocities` \[W; W/m in plane strain\].
+    ///
+    /// The velocities at the end of a kick-drift-kick step are the mean over all that its forces do: power times step is
+    /// then the work without an error of the step.
+    #[must_use]
+    pub fn viscous_power(&self, velocities: &[SVector<f64, D>]) -> f64 {
+        let law = ArtificialViscosity { alpha: self.controls.viscosity, beta: 0.0 };
+        let (moved, speeds, sound, mut power) = (&self.moved, &self.speeds, self.wave_speed(), 0.0);
+        if !speeds.is_empty() {
+            self.reference.links.for_each(|i, j, weight, both| {
+                let force =
+                    viscous_force::<D>(&law, sound, [moved[i], moved[j]], [speeds[i], speeds[j]], weight);
+                let taken = -force.vector::<D>().dot(&(velocities[i] - velocities[j]));
+                power += if both { taken } else { 0.5 * taken };
+            });
+        }
+        power
+    }
+
+    /// Writes the heat -3 K alpha T V tr(dF/dt F^-1) \[W; W/m in plane strain\] that each particle gets from the change of
+    /// its volume ([`gough_joule_rate`](crate::gough_joule_rate) times rho c V), for a solver of heat that works with the
+    /// capacity at constant strain.
+    ///
+    /// For the deformation of the last call of [`TotalLagrangian::accelerations`]. K and alpha are true ones, and the rate
+    /// is that of the whole strain, free expansion included. Memory is kept from one call to the next.
+    ///
+    /// # Panics
+    /// If a column has not one entry per particle.
+    pub fn gough_joule_heats(
+        &mut self,
+        velocities: &[SVector<f64, D>],
+        temperatures: &[f64],
+        heats: &mut [f64],
+    ) {
+        let particles = self.masses.len();
+        assert_eq!(velocities.len(), particles, "velocities");
+        assert_eq!(temperatures.len(), particles, "temperatures");
+        assert_eq!(heats.len(), particles, "heats");
+        let Self { reference, deformations, material, heat, .. } = self;
+        let RateBuffer { velocities: lanes, sums } = heat;
+        lanes.clear();
+        lanes.extend(velocities.iter().map(|velocity| Lanes::new(velocity, 0.0)));
+        sums.resize(particles, [Lanes::default(); D]);
+        let bulk_pa = material.sound.real().bulk_pa();
+        let blocks = heats.par_chunks_mut(BLOCK).zip(sums.par_chunks_mut(BLOCK)).enumerate();
+        blocks.for_each(|(block, (heats, sums))| {
+            let first = block * BLOCK;
+            reference.links.gradient_sums(first, lanes, sums);
+            for k in 0..heats.len() {
+                let i = first + k;
+                // V_0 dF/dt.
+                let rate = matrix(&sums[k]) * reference.corrections[i];
+                let deformation = &deformations[i];
+                let growth = determinant(deformation) * (rate * inverse(deformation)).trace();
+                let alpha = material.expansion.coefficient(temperatures[i]);
+                heats[k] = -3.0 * bulk_pa * alpha * temperatures[i] * growth;
+            }
+        });
     }
 
     /// x_i - x_j - F_k (X_i - X_j) \[m\].

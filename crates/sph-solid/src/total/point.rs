@@ -53,7 +53,9 @@ impl<'a> PointLaw<'a> {
         (self.material.expansion.logarithmic_stretch(temperature) - reference).exp()
     }
 
-    /// The first Piola-Kirchhoff stress \[Pa\], after a return to the yield stress if there is one.
+    /// The first Piola-Kirchhoff stress \[Pa\], after a return to the yield stress if there is one. `plastic_work`
+    /// \[J/m^3 of the reference\] becomes that of the stress after the return, as the forces of a step do it: the elastic
+    /// energy that the return takes is larger, by the overshoot of the step.
     ///
     /// Yield acts on the Cauchy stress, whose pressure it leaves alone; what is taken off goes back to the axes of the
     /// reference.
@@ -65,9 +67,11 @@ impl<'a> PointLaw<'a> {
         temperature: f64,
         inelastic: &mut SymmetricTensor<D>,
         equivalent: &mut f64,
+        plastic_work: &mut f64,
     ) -> SMatrix<f64, D, D> {
         let moduli = self.material.solver_moduli();
         let mut stress = second_stress(&(elastic_strain(deformation, stretch) - *inelastic), moduli);
+        *plastic_work = 0.0;
         if self.material.yield_stress.is_some() {
             let yield_pa = self.material.solver_yield_pa(temperature);
             let cauchy = cauchy_stress(deformation, stretch, &stress);
@@ -75,7 +79,9 @@ impl<'a> PointLaw<'a> {
                 let excess = step.strain * (2.0 * moduli.shear_pa());
                 let excess = second_stress_of_cauchy(deformation, stretch, &excess);
                 stress = stress - excess;
-                *inelastic += strain_of_stress(&excess, moduli);
+                let plastic = strain_of_stress(&excess, moduli);
+                *plastic_work = stretch.powi(3) * stress.product(&plastic);
+                *inelastic += plastic;
                 *equivalent += step.equivalent;
             }
         }

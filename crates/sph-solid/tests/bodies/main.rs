@@ -5,6 +5,7 @@ mod clamped_plate;
 mod find;
 mod hard;
 mod hot_spot;
+mod ledger;
 mod motion;
 mod plate;
 mod reference;

@@ -16,10 +16,11 @@ fn disc_with_a_hot_centre() {
 fn sphere_with_a_hot_centre() {
     let sphere = hot_sphere(8, find).unwrap();
     println!(
-        "sphere, 8 over the radius: {:.2} %, centre {:.3}, growth {:.4} of exact",
+        "sphere, 8 over the radius: {:.2} %, centre {:.3}, growth {:.4}, hoop stress at the surface {:.3} of exact",
         100.0 * sphere.error,
         sphere.centre,
-        sphere.growth
+        sphere.growth,
+        sphere.hoop
     );
     assert!(sphere.error < 0.10, "{}", sphere.error);
     assert!((sphere.centre - 1.0).abs() < 0.03, "{}", sphere.centre);
