@@ -10,7 +10,7 @@ mod watch;
 
 pub use command::command;
 pub use ledger::Ledger;
-pub use pilot::level_plan;
+pub use pilot::{level_plan, level_plan_on};
 pub(crate) use report::solid_scales;
 pub use report::{numbers, summary};
 pub use simulation::{Records, Simulation, StepReport};
