@@ -75,40 +75,59 @@ impl Scales {
     /// what the bottom's images add, 2/sqrt(pi a t) sum_n exp(-n²L²/(a t)). A bottom that is held at its temperature takes
     /// less than that away, because the signs alternate.
     pub(super) fn bottom_rise(&self) -> f64 {
+        self.images(self.thickness, |spread| {
+            let images = (1..).map(|n| (-(f64::from(n) * self.thickness).powi(2) / spread).exp());
+            let sum: f64 = images.take_while(|&image| image > FAINT).sum();
+            self.between_sides(spread) * 2.0 / (PI * spread).sqrt() * sum
+        })
+    }
+
+    /// What the sides add to it on a half space: G_x G_y less that of the source itself, times 1/sqrt(pi a t).
+    fn sides_rise(&self) -> f64 {
+        let nearest = self.walls.as_flattened().iter().fold(f64::INFINITY, |least, &wall| least.min(wall));
+        // On an edge the image is the other half of the beam.
+        self.images(nearest.max(self.radius), |spread| {
+            (self.between_sides(spread) - 1.0 / (4.0 * PI * spread)) / (PI * spread).sqrt()
+        })
+    }
+
+    fn between_sides(&self, spread: f64) -> f64 {
+        self.walls.iter().map(|&walls| between_walls(walls, spread)).product()
+    }
+
+    /// P a/k times the integral over time of what images give for a t = `spread` \[m²\], the nearest in a plane at a distance.
+    fn images(&self, distance: f64, of: impl Fn(f64) -> f64) -> f64 {
         // Earlier than that no image is felt.
-        let first = self.thickness.powi(2) / (FAINTEST * self.diffusivity);
+        let first = distance.powi(2) / (FAINTEST * self.diffusivity);
         if first >= self.lit {
             return 0.0;
         }
-        let of = |time: f64| {
-            let spread = self.diffusivity * time;
-            let images = (1..).map(|n| (-(f64::from(n) * self.thickness).powi(2) / spread).exp());
-            let sum: f64 = images.take_while(|&image| image > FAINT).sum();
-            let sides: f64 = self.walls.iter().map(|&walls| between_walls(walls, spread)).product();
-            time * sides * 2.0 / (PI * spread).sqrt() * sum
-        };
         // Simpson's rule in the logarithm of time.
         let width = (self.lit / first).ln() / f64::from(INTERVALS);
         let weight = |n: u32| if n == 0 || n == INTERVALS { 1.0 } else { f64::from(2 + 2 * (n % 2)) };
-        let sum: f64 = (0..=INTERVALS).map(|n| weight(n) * of(first * (width * f64::from(n)).exp())).sum();
-        self.power * self.diffusivity / self.conductivity * sum * width / 3.0
+        let node = |n: u32| {
+            let time = first * (width * f64::from(n)).exp();
+            weight(n) * time * of(self.diffusivity * time)
+        };
+        self.power * self.diffusivity / self.conductivity * (0..=INTERVALS).map(node).sum::<f64>() * width
+            / 3.0
     }
 
     /// Fall of the rise under the beam by what the top face loses, at most, for the flux \[W/m²\] that it loses at a rise \[K\]: all
     /// the time as hot as when the light goes off. Each ring takes away what an instantaneous source of its strength would
-    /// give, erfc(r / sqrt(4 a t)) / (2 pi k r) (Carslaw and Jaeger (1959), 10.4 eq. 2); what the bottom adds to the beam's
-    /// rise it takes away from theirs.
+    /// give, erfc(r / sqrt(4 a t)) / (2 pi k r) (Carslaw and Jaeger (1959), 10.4 eq. 2); what bottom and sides add to the
+    /// beam's rise they take away by its.
     pub(super) fn losses_fall(&self, flux: impl Fn(f64) -> f64) -> f64 {
         let width = |[low, high]: [f64; 2]| low + high;
         let edge = (width(self.walls[0]) * width(self.walls[1]) / PI).sqrt();
-        let (peak, bottom) = (self.peak_rise(), self.bottom_rise());
+        let (peak, images) = (self.peak_rise(), self.bottom_rise() + self.sides_rise());
         let ring = |n: u32| {
             // Narrow rings near the beam.
             let share = (f64::from(n) + 0.5) / f64::from(RINGS);
             let (radius, ring) = (edge * share.powi(2), 2.0 * edge * share / f64::from(RINGS));
             let away = erfc(radius / (4.0 * self.diffusivity * self.lit).sqrt());
-            let lost = flux(self.rise_at_most(radius, away).min(peak) + bottom);
-            ring * lost * (away / self.conductivity + 2.0 * PI * radius * bottom / self.power)
+            let lost = flux(self.rise_at_most(radius, away).min(peak) + images);
+            ring * lost * (away / self.conductivity + 2.0 * PI * radius * images / self.power)
         };
         (0..RINGS).map(ring).sum()
     }

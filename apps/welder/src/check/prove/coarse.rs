@@ -53,8 +53,8 @@ mod tests {
         // 1/e radius 424 um: 4.2 spacings of 100 um, 2.8 of 150 um.
         assert!((spacing(&[]) - 100e-6).abs() < 1e-12);
         assert!((spacing(&["resolution.spacing_m=25e-6"]) - 100e-6).abs() < 1e-12);
-        // 81 spacings are no multiple of two, but of three, which the beam does not allow.
-        assert!((spacing(&["part.size_m=(4.05e-3,4.05e-3,4.05e-3)"]) - 50e-6).abs() < 1e-12);
+        // 81 spacings are no multiple of two, but 54 of 75 um.
+        assert!((spacing(&["part.size_m=(4.05e-3,4.05e-3,4.05e-3)"]) - 75e-6).abs() < 1e-12);
         let region =
             "part.regions=[(low_m: (0.0, 0.0, -0.15e-3), high_m: (1.0e-3, 1.0e-3, 0.0), start_k: 400.0)]";
         assert!((spacing(&[region]) - 50e-6).abs() < 1e-12);

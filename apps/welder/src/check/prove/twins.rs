@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn each_pair_differs_in_its_effect_alone() {
         let losses = "part.faces.top=Losses(convection_w_m2_k: 20.0)";
-        let spot = twins("spot-aluminium", &[losses]);
+        let spot = twins("spot-aluminium", &[losses, "resolution.spacing_m=100e-6"]);
         let changed = |effect| find(&spot, effect).without.clone().unwrap();
         assert_eq!(changed("latent heat").materials[0].card.latent_heat_j_kg.value, 0.0);
         assert_eq!(changed("losses").scene.part.faces.top, Face::Adiabatic);
