@@ -2,6 +2,7 @@
 
 mod advice;
 mod estimates;
+mod prove;
 
 use crate::build::{LevelPlan, Workpiece};
 use crate::case::{self, Case};
@@ -15,7 +16,7 @@ use crate::run::{level_plan, numbers};
 use sph_integrate::stages_for;
 
 /// Memory that a particle takes over a run \[bytes\]: peak_memory_bytes over particles of the aluminium spot at 25 um.
-const BYTES_PER_PARTICLE: u64 = 1850;
+pub(crate) const BYTES_PER_PARTICLE: u64 = 1850;
 
 /// Directed pairs that one core visits in a second, a careful figure for a forecast.
 const PAIRS_PER_SECOND: f64 = 5e8;
@@ -39,7 +40,7 @@ pub fn command(arguments: &CheckArguments) -> ExitStatus {
     match told {
         Ok(lines) => {
             say(&format!("{}: the case is well formed\n{}", case.name, lines.join("\n")));
-            ExitStatus::Done
+            if arguments.prove { prove::prove(&case, arguments.json.as_deref()) } else { ExitStatus::Done }
         }
         Err(error) => {
             tracing::error!("the case cannot be built: {error}");
@@ -76,7 +77,7 @@ fn describe(case: &Case, model: &Model) -> Result<Vec<String>, ModelError> {
     let named: Vec<String> =
         numbers(model).iter().map(|(name, value)| format!("{name} {value:.3}")).collect();
     lines.push(format!("  numbers        {}", named.join(", ")));
-    lines.extend(advice::advice(case, model));
+    lines.extend(advice::lines(case, model));
     Ok(lines)
 }
 

@@ -68,6 +68,12 @@ pub struct CheckArguments {
     /// Change a value of the scene, as in resolution.spacing_m=25e-6; can be given several times.
     #[arg(long = "set", value_name = "path=value")]
     pub overrides: Vec<String>,
+    /// Run a coarse copy of the case with and without each effect that the advice names, and hold the advice against it.
+    #[arg(long)]
+    pub prove: bool,
+    /// Write what `--prove` found to this file as well.
+    #[arg(long, value_name = "FILE", requires = "prove")]
+    pub json: Option<PathBuf>,
 }
 
 /// Arguments of `verify`.
@@ -110,6 +116,10 @@ pub struct PrecisionArguments {
     /// Change a value of the scene, as in resolution.spacing_m=25e-6; can be given several times.
     #[arg(long = "set", value_name = "path=value")]
     pub overrides: Vec<String>,
+    /// Run a ladder over one field of physics or of the particles' disorder instead of the program's own settings, as in
+    /// physics.0.smoothing_ratio=0.7,0.85,1.0.
+    #[arg(long, value_name = "path=value,value,...")]
+    pub vary: Option<String>,
     /// Name the cheapest run whose error is at most this share, as in 0.01.
     #[arg(long, value_name = "SHARE", value_parser = share)]
     pub wanted_error: Option<f64>,
@@ -218,8 +228,12 @@ mod tests {
             "run case --threads 0",
             "run case --until -1",
             "run case --until nan",
+            "check case --json x.json",
             "verify --level fast",
             "precision case --wanted-error 0",
+            "precision case --wanted-error NaN",
+            "precision case --wanted-error -0.01",
+            "precision case --wanted-error 1e400",
             "precision case --wanted-error 5%",
         ] {
             assert!(parse(line).is_err(), "{line}");

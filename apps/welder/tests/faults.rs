@@ -7,7 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
-use welder::observe::{Status, Summary, WeldOutcome};
+use welder::observe::{Checkpoint, Status, Summary, WeldOutcome};
 
 const SPOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/spot-aluminium");
 
@@ -124,9 +124,7 @@ fn damaged_checkpoints_are_passed_over_or_refused_and_stay() {
     let [whole, out] = ["whole", "out"].map(|name| folder.path().join(name));
     assert!(welder(&whole).status().unwrap().success());
     assert!(welder(&out).args(["--until", "0.006"]).status().unwrap().success());
-    let mut files: Vec<_> =
-        std::fs::read_dir(out.join("checkpoint")).unwrap().map(|entry| entry.unwrap().path()).collect();
-    files.sort();
+    let files = checkpoints(&out);
     assert_eq!(files.len(), 2);
     let original: Vec<Vec<u8>> = files.iter().map(|file| std::fs::read(file).unwrap()).collect();
     for (file, bytes) in files.iter().zip(&original) {
@@ -141,4 +139,52 @@ fn damaged_checkpoints_are_passed_over_or_refused_and_stay() {
     std::fs::write(&files[0], &original[0]).unwrap();
     assert!(welder(&out).arg("--resume").status().unwrap().success());
     assert_eq!(results(&out), results(&whole));
+}
+
+/// The checkpoints of a stopped run, oldest first: by their step, which is the number in the name.
+fn checkpoints(folder: &Path) -> Vec<std::path::PathBuf> {
+    let entries = std::fs::read_dir(folder.join("checkpoint")).unwrap();
+    let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    files.sort_by_key(|path| Checkpoint::read(path).unwrap().step);
+    files
+}
+
+#[test]
+fn a_flipped_bit_is_found_and_the_older_checkpoint_goes_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let [whole, out] = ["whole", "out"].map(|name| folder.path().join(name));
+    assert!(welder(&whole).status().unwrap().success());
+    assert!(welder(&out).args(["--until", "0.006"]).status().unwrap().success());
+    let files = checkpoints(&out);
+    let newest = files.last().unwrap();
+    let mut bytes = std::fs::read(newest).unwrap();
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 4;
+    std::fs::write(newest, &bytes).unwrap();
+    let output = welder(&out).arg("--resume").stderr(Stdio::piped()).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(code(&output), 0, "{message}");
+    assert!(message.contains("damaged") && message.contains(newest.to_str().unwrap()), "{message}");
+    assert_eq!(results(&out), results(&whole));
+}
+
+/// Another version may compute other bits, so that it must not go on; what it wrote stays for the version that can.
+#[test]
+fn a_checkpoint_of_another_version_ends_with_2_and_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(welder(folder.path()).args(["--until", "0.006"]).status().unwrap().success());
+    let files = checkpoints(folder.path());
+    for file in &files {
+        let mut other = Checkpoint::read(file).unwrap();
+        other.version = "999.0.1".into();
+        std::fs::write(file, other.to_bytes().unwrap()).unwrap();
+    }
+    let output = welder(folder.path()).arg("--resume").stderr(Stdio::piped()).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(code(&output), 2, "{message}");
+    let newest = files.last().unwrap().to_str().unwrap();
+    for words in ["999.0.1", env!("CARGO_PKG_VERSION"), newest] {
+        assert!(message.contains(words), "`{words}` is not in: {message}");
+    }
+    assert!(files.iter().all(|file| file.exists()));
 }

@@ -7,7 +7,7 @@ use good::{MATERIAL, SCENE, spoken};
 use std::path::Path;
 use std::process::Command;
 
-/// A block of 12 spacings with a wide beam, so that 1, 1.5 and 2 spacings divide it; it melts within a millisecond.
+/// A block of 12 spacings with a wide beam, so that half as many divide it; it melts within a millisecond.
 fn small_case(folder: &Path) {
     let scene = SCENE
         .replace("6.0e-3, 4.0e-3, 3.0e-3", "1.2e-3, 1.2e-3, 1.2e-3")
@@ -37,7 +37,7 @@ fn the_ladder_estimates_its_error_and_finds_the_cheapest_run() {
     let (code, text) = precision(folder.path(), &["--wanted-error", "0.5"]);
     assert_eq!(code, Some(0), "{text}");
     for words in [
-        "safety factor 1.25",
+        "tight steps, spacings alone (index: safety factor 1.25",
         "width, um",
         "peak, K rise",
         "weld, mm3",
@@ -47,14 +47,14 @@ fn the_ladder_estimates_its_error_and_finds_the_cheapest_run() {
     }
     let out = folder.path().join("out");
     let table = std::fs::read_to_string(out.join("precision_convergence.csv")).unwrap();
-    for row in table.lines().filter(|line| line.starts_with("default,")) {
+    for row in table.lines().filter(|line| line.starts_with("tight steps,")) {
         let cells: Vec<_> = row.split(',').collect();
         assert!(cells[4].parse::<f64>().unwrap() > 0.0, "nothing melted: {row}");
         // Without an order there is no estimate, and the verdict says so.
         assert_eq!(cells[5].is_empty(), cells[8].is_empty(), "{row}");
         assert!(!cells[5].is_empty() || cells[9] == "not in the asymptotic range", "{row}");
     }
-    assert_eq!(table.lines().filter(|line| line.starts_with("default,")).count(), 5);
+    assert_eq!(table.lines().filter(|line| line.starts_with("tight steps,")).count(), 5);
     for picture in ["convergence", "width_cpu", "length_particles", "weld_cpu"] {
         assert!(out.join(format!("precision_{picture}.png")).is_file(), "{picture}");
     }
@@ -67,4 +67,70 @@ fn a_wish_beyond_every_run_ends_with_4() {
     let (code, text) = precision(folder.path(), &["--wanted-error", "1e-9"]);
     assert_eq!(code, Some(4), "{text}");
     assert!(text.contains("no run is within the wanted error of 0.000000001; the most exact: `"), "{text}");
+}
+
+/// Runs that are refused before anything is built or written.
+#[test]
+fn hostile_wishes_end_with_2_and_say_what_is_accepted() {
+    let folder = tempfile::tempdir().unwrap();
+    small_case(folder.path());
+    let many = format!("physics.0.smoothing_ratio={}", vec!["1.0"; 3000].join(","));
+    let rows: [(&[&str], &[&str]); 12] = [
+        (&["--wanted-error", "0"], &["--wanted-error", "above 0 and below 1"]),
+        (&["--wanted-error", "NaN"], &["--wanted-error", "above 0 and below 1"]),
+        (&["--wanted-error", "1e300"], &["--wanted-error", "above 0 and below 1"]),
+        (&["--set", "budget.max_particles=0"], &["budget.max_particles", "1 or more"]),
+        (
+            &["--set", "budget.max_particles=2000"],
+            &["the run at 50.00 um takes", "max_particles = 2000", "half of its"],
+        ),
+        (
+            &["--set", "budget.max_memory_bytes=2000000"],
+            &["the run at 50.00 um takes", "bytes, beyond budget.max_memory"],
+        ),
+        (&["--set", "resolution.spacing_m=1e-6"], &["resolution.spacing_m", "particles"]),
+        (&["--set", "resolution.spacing_m=NaN"], &["resolution.spacing_m", "accepted"]),
+        (&["--set", "resolution.spacing_m=200e-6"], &["scene.ron:10:29", "twice this spacing"]),
+        (&["--vary", many.as_str()], &["found 3000 values", "1 to 32"]),
+        (&["--vary", "physics.0.smoothing_ratio=0.7,99"], &["physics.0.smoothing_ratio", "`99`", "0.5 to 3"]),
+        (&["--vary", "laser.path.pulse.power_w=1,2"], &["changes the weld", "a field of physics"]),
+    ];
+    for (arguments, words) in rows {
+        let (code, text) = precision(folder.path(), arguments);
+        assert_eq!(code, Some(2), "{arguments:?}: {text}");
+        words
+            .iter()
+            .for_each(|word| assert!(text.contains(word), "{arguments:?}: `{word}` is not in:\n{text}"));
+    }
+    assert!(!folder.path().join("out/precision.csv").exists());
+}
+
+#[test]
+fn a_ladder_over_a_field_takes_the_place_of_the_settings() {
+    let folder = tempfile::tempdir().unwrap();
+    small_case(folder.path());
+    for (vary, names) in [
+        ("physics.0.smoothing_ratio=0.7,1.0", ["smoothing_ratio 0.7", "smoothing_ratio 1.0"]),
+        (
+            "physics.0.stepping=Euler(factor: 0.5),SuperSteps(tolerance: 0.1, max_stages: 9)",
+            ["stepping Euler(factor: 0.5)", "stepping SuperSteps(tolerance: 0.1, max_stages: 9)"],
+        ),
+    ] {
+        let (code, text) = precision(folder.path(), &["--vary", vary]);
+        assert_eq!(code, Some(0), "{text}");
+        let mut table = csv::Reader::from_path(folder.path().join("out/precision.csv")).unwrap();
+        let rows: Vec<_> = table.records().map(|row| row.unwrap()).collect();
+        let of = |name: &str| rows.iter().filter(|row| &row[0] == name).count();
+        assert_eq!([of("default"), of("tight steps"), of(names[0]), of(names[1])], [2, 3, 2, 2], "{rows:?}");
+        assert_eq!(rows.len(), 9);
+    }
+}
+
+#[test]
+fn steps_beyond_the_budget_end_with_3() {
+    let folder = tempfile::tempdir().unwrap();
+    small_case(folder.path());
+    let (code, text) = precision(folder.path(), &["--set", "budget.max_steps=3"]);
+    assert_eq!(code, Some(3), "{text}");
+    assert!(text.contains("step budget of 3") && text.contains("budget.max_steps"), "{text}");
 }

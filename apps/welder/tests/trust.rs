@@ -78,3 +78,37 @@ fn a_seam_moves_and_a_body_held_yields() {
     assert!(text.contains("leave out      evaporation"), "{text}");
     assert!(!text.contains("latent heat: Stefan"), "nothing melts:\n{text}");
 }
+
+#[test]
+fn the_advice_is_proven_by_runs_with_and_without() {
+    let folder = tempfile::tempdir().unwrap();
+    let json = folder.path().join("proof.json");
+    let text = told(&[
+        "check",
+        &format!("{CASES}/spot-aluminium"),
+        "--prove",
+        "--json",
+        json.to_str().unwrap(),
+        "--set",
+        "resolution.spacing_m=100e-6",
+        "--set",
+        "part.faces.top=Losses(convection_w_m2_k: 2000.0, emissivity: 1.0)",
+    ]);
+    assert!(
+        text.contains("without: top Adiabatic") && text.contains("not run: the case does not list Flow()"),
+        "{text}"
+    );
+    let report: serde_json::Value = serde_json::from_slice(&std::fs::read(json).unwrap()).unwrap();
+    let change = |effect: &str, what: &str| {
+        let findings = report["findings"].as_array().unwrap();
+        let finding = findings.iter().find(|finding| finding["effect"] == effect).expect(effect);
+        finding["compared"]["changes"][what].as_f64().unwrap_or_else(|| panic!("{effect} {what}: {finding}"))
+    };
+    // Without losses the surface is hotter, by less than the whole face as hot would lose; without latent heat more melts.
+    let losses = change("losses", "peak_error");
+    assert!(losses > 2e-3 && losses < 0.05, "{losses}");
+    assert!(change("latent heat", "weld_error") > 0.03);
+    assert!(
+        change("levels", "width_error").abs() < 0.01 && change("bottom face", "depth_error").abs() < 0.01
+    );
+}

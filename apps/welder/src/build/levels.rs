@@ -87,6 +87,14 @@ impl<const D: usize> LevelPlan<D> {
         Self { counts, split }
     }
 
+    /// The same boxes with each cell cut `times` as finely along each axis: cells of all levels shrink alike.
+    pub fn refined(&self, times: i64) -> Self {
+        let scaled = |cells: [i64; D]| cells.map(|cell| times * cell);
+        let region = |region: &CellBox<D>| CellBox { low: scaled(region.low), high: scaled(region.high) };
+        let split = self.split.iter().map(|regions| regions.iter().map(region).collect()).collect();
+        Self { counts: scaled(self.counts), split }
+    }
+
     /// The box of finest cells around the fine box, all of level 0.
     pub fn finest_box(&self) -> CellBox<D> {
         let whole = CellBox { low: [0; D], high: self.counts };
@@ -215,6 +223,18 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_refined_plan_has_cells_of_the_same_levels_at_the_same_places() {
+        let plan = LevelPlan::around([33, 20, 17], CellBox { low: [3, 0, 0], high: [9, 7, 5] });
+        assert!(plan.levels() > 2);
+        let (coarse, fine) = (owners(&plan.cells()), owners(&plan.refined(3).cells()));
+        assert_eq!(fine.len(), 27 * coarse.len());
+        for (at, level) in &fine {
+            assert_eq!(coarse[&at.map(|cell| cell / 3)], *level, "{at:?}");
+        }
+        assert_eq!(plan.refined(3).count(), 27 * plan.count());
     }
 
     #[test]

@@ -24,9 +24,10 @@ pub fn material_names(folder: &Path) -> Vec<String> {
     entries(folder).into_iter().filter(is_card).filter_map(stem).collect()
 }
 
-/// Folders below `cases` that hold a scene.ron, in alphabetical order.
+/// Folders below `cases` that hold a scene.ron, also those in a folder that groups some, in alphabetical order.
 pub fn case_folders(cases: &Path) -> Vec<PathBuf> {
-    entries(cases).into_iter().filter(|path| path.join("scene.ron").is_file()).collect()
+    let all = entries(cases).into_iter().flat_map(|path| [vec![path.clone()], entries(&path)].concat());
+    all.filter(|path| path.join("scene.ron").is_file()).collect()
 }
 
 fn entries(folder: &Path) -> Vec<PathBuf> {
@@ -46,6 +47,7 @@ mod tests {
         let names: Vec<_> =
             case_folders(&cases).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
         assert!(names.contains(&"spot-aluminium".into()), "{names:?}");
+        assert!(names.contains(&"two-spots".into()), "in the group `hard`: {names:?}");
         assert!(material_names(&cases.join("materials")).contains(&"aluminium-model".to_string()));
     }
 

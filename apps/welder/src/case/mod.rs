@@ -26,3 +26,4 @@ pub use load::{Case, load, resolved_ron};
 pub use material::{Material, MaterialCard, Property, Quantity};
 pub(crate) use nearest::suggestion;
 pub use problem::{CaseError, Problem};
+pub(crate) use validate::memory;

@@ -19,6 +19,7 @@ use super::problem::Problem;
 use super::scene::Scene;
 use super::source::Source;
 use findings::Findings;
+pub(crate) use size::memory;
 
 /// All findings, in the order of the sections; the materials' own come last.
 pub fn validate(

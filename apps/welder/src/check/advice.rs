@@ -6,40 +6,163 @@ use crate::case::{Case, MaterialCard};
 use crate::model::{Model, marangoni_speed};
 use crate::run::solid_scales;
 use laser_source::Beam;
+use serde::Serialize;
+use sph_thermal::phase::EnthalpyCurve;
 
 /// An effect below this share of the rise under the beam can be left out.
-const NEGLIGIBLE: f64 = 0.01;
+pub(super) const NEGLIGIBLE: f64 = 0.01;
 
 /// Temperature of the surroundings where no face names one \[K\].
-const ROOM_K: f64 = 293.0;
+pub(super) const ROOM_K: f64 = 293.0;
 
-/// The advice, a line an effect; none without a laser, on whose beam the estimates stand.
-pub(super) fn advice(case: &Case, model: &Model) -> Vec<String> {
-    let Some(scales) = scales(model) else { return Vec::new() };
-    let card = &case.materials[0].card;
-    let peak = scales.start + scales.peak_rise();
-    let mut lines = vec![format!(
-        "  estimate       {peak:.0} K under the beam when the light goes off (resting beam, half space, solid's properties at the \
-         start, no latent heat; Carslaw and Jaeger 1959)"
-    )];
-    lines.extend(latent_heat(model, &scales));
-    lines.extend(boiling(card, peak));
-    lines.push(bottom(&scales));
-    lines.push(losses(model.faces.top, card, peak, &scales));
-    lines.extend(movement(&scales));
-    lines.push(stress(case, model, card, peak));
-    lines.push(flow(case, model, card, peak, &scales));
-    lines
+/// What is said of one effect.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Advice {
+    pub(super) effect: Effect,
+    /// Whether it matters; `None` where nothing can be said.
+    pub(super) matters: Option<bool>,
+    /// Its numbers.
+    pub(super) text: String,
+    /// What leaving it out changes at most, where that is estimated.
+    pub(super) bound: Option<Bound>,
 }
 
-/// One line: whether the effect matters (`None`: nothing can be said), its name, its numbers.
-fn told(matters: Option<bool>, what: &str, text: String) -> String {
-    let verdict = match matters {
-        Some(true) => "matters",
-        Some(false) => "leave out",
-        None => "open",
-    };
-    format!("  {verdict:<14} {what}: {text}")
+/// An effect that is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Effect {
+    LatentHeat,
+    Evaporation,
+    BottomFace,
+    Losses,
+    Movement,
+    Stress,
+    Flow,
+}
+
+impl Effect {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Effect::LatentHeat => "latent heat",
+            Effect::Evaporation => "evaporation",
+            Effect::BottomFace => "bottom face",
+            Effect::Losses => "losses",
+            Effect::Movement => "movement",
+            Effect::Stress => "stress",
+            Effect::Flow => "flow",
+        }
+    }
+}
+
+/// Largest change that leaving an effect out is estimated to make, as a share.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Bound {
+    /// Of the peak rise.
+    Rise(f64),
+    /// Of the volume that melts.
+    Melt(f64),
+}
+
+impl Advice {
+    fn new(effect: Effect, matters: Option<bool>, text: String) -> Self {
+        Self { effect, matters, text, bound: None }
+    }
+
+    fn at_most(self, bound: Bound) -> Self {
+        Self { bound: Some(bound), ..self }
+    }
+
+    /// The verdict in words.
+    pub(super) fn verdict(&self) -> &'static str {
+        match self.matters {
+            Some(true) => "matters",
+            Some(false) => "leave out",
+            None => "open",
+        }
+    }
+
+    /// One line: verdict, name, numbers.
+    fn line(&self) -> String {
+        format!("  {:<14} {}: {}", self.verdict(), self.effect.name(), self.text)
+    }
+}
+
+/// The advice as lines, the estimate that it stands on first.
+pub(super) fn lines(case: &Case, model: &Model) -> Vec<String> {
+    let estimate = scales(model).map(|scales| {
+        format!(
+            "  estimate       {:.0} K under the beam when the light goes off (resting beam, half space, diffusivity of the solid \
+             at the start, no latent heat; Carslaw and Jaeger 1959)",
+            Hot::new(model, &scales).temperature
+        )
+    });
+    estimate.into_iter().chain(advice(case, model).iter().map(Advice::line)).collect()
+}
+
+/// The advice on each effect; none without a laser, on whose beam the estimates stand.
+pub(super) fn advice(case: &Case, model: &Model) -> Vec<Advice> {
+    let Some(scales) = scales(model) else { return Vec::new() };
+    let card = &case.materials[0].card;
+    let hot = Hot::new(model, &scales);
+    let peak = hot.temperature;
+    let optional = [latent_heat(model, peak), boiling(card, peak), movement(&scales)];
+    let mut all: Vec<_> = optional.into_iter().flatten().collect();
+    all.push(bottom(&hot, &scales));
+    all.push(losses(model.faces.top, card, &hot, &scales));
+    all.push(stress(case, model, card, peak));
+    all.push(flow(case, model, card, peak, &scales));
+    all
+}
+
+/// The hottest point. The estimates are linear in the integral of the conductivity over temperature, the Kirchhoff potential,
+/// not in temperature itself: a melt that conducts badly is hotter for it, and everything counts more in it.
+struct Hot<'a> {
+    curve: &'a EnthalpyCurve,
+    conductivity: f64,
+    start: f64,
+    potential: f64,
+    /// Its temperature \[K\].
+    temperature: f64,
+}
+
+impl<'a> Hot<'a> {
+    fn new(model: &'a Model, scales: &Scales) -> Self {
+        let (curve, conductivity, start) = (&model.curves[0], scales.conductivity, scales.start);
+        let potential = curve.potential_at(start) + conductivity * scales.peak_rise();
+        Self { curve, conductivity, start, potential, temperature: curve.temperature_at_potential(potential) }
+    }
+
+    /// Temperature \[K\] where the solid would have risen by `rise` \[K\].
+    fn at(&self, rise: f64) -> f64 {
+        self.curve.temperature_at_potential(self.curve.potential_at(self.start) + self.conductivity * rise)
+    }
+
+    /// Change of its temperature \[K\] by what would change that of the solid by `rise` \[K\].
+    fn change(&self, rise: f64) -> f64 {
+        let shifted = self.curve.temperature_at_potential(self.potential + self.conductivity * rise);
+        (shifted - self.temperature).abs()
+    }
+
+    /// The same over its rise.
+    fn share(&self, rise: f64) -> f64 {
+        self.change(rise) / (self.temperature - self.start)
+    }
+}
+
+/// How long the light is on \[s\].
+pub(super) fn lit(model: &Model) -> f64 {
+    let intervals = model.laser.as_ref().map_or_else(Vec::new, |laser| laser.track().on_intervals());
+    intervals.iter().map(|[from, to]| to.min(model.end) - from.min(model.end)).sum()
+}
+
+/// Distance of a place from the sides of the whole part, mirrored halves included \[m\].
+fn walls(model: &Model, place: [f64; 2]) -> [[f64; 2]; 2] {
+    let ((low, high), mirrored) = (model.bounds(), model.mirrored());
+    std::array::from_fn(|axis| {
+        let (below, above) = (place[axis] - low[axis], high[axis] - place[axis]);
+        let beyond = |mirror: bool| if mirror { below + above } else { 0.0 };
+        [below + beyond(mirrored[axis][0]), above + beyond(mirrored[axis][1])]
+    })
 }
 
 fn scales(model: &Model) -> Option<Scales> {
@@ -54,25 +177,24 @@ fn scales(model: &Model) -> Option<Scales> {
         power: power * laser.beam().total() * laser.absorption().absorptivity(),
         radius: laser.beam().radius_m(),
         top_hat: matches!(laser.beam(), Beam::TopHat(_)),
-        lit: track.on_intervals().iter().map(|[from, to]| to.min(model.end) - from.min(model.end)).sum(),
+        lit: lit(model),
         speed: track.max_speed(),
         thickness: model.size[2],
+        walls: walls(model, track.position(0.5 * (track.points()[0].time_s + track.end_time()))),
     })
     .filter(|scales| scales.power > 0.0 && scales.lit > 0.0 && scales.diffusivity.is_finite())
 }
 
 /// Heat balance of what melts: c (T_liquidus - T_start) and the latent heat; their ratio is the Stefan number (Alexiades
 /// and Solomon, Mathematical Modeling of Melting and Freezing Processes, 1993).
-fn latent_heat(model: &Model, scales: &Scales) -> Option<String> {
+fn latent_heat(model: &Model, peak: f64) -> Option<Advice> {
     let (material, (start, capacity, _)) = (&model.materials[0], solid_scales(model));
     let sensible = capacity * (material.liquidus - start);
     let stefan = sensible / material.latent_heat;
-    let melts = start + scales.peak_rise() > material.solidus;
+    let melts = peak > material.solidus;
     (stefan.is_finite() && melts).then(|| {
         let share = 1.0 / (1.0 + stefan);
-        told(
-            Some(share > NEGLIGIBLE),
-            "latent heat",
+        Advice::new(Effect::LatentHeat, Some(share > NEGLIGIBLE),
             format!(
                 "Stefan {stefan:.2}, {:.0} % of the heat that melts; without it the same heat melts up to {:.0} % more \
                  (heat balance)",
@@ -80,10 +202,11 @@ fn latent_heat(model: &Model, scales: &Scales) -> Option<String> {
                 100.0 / stefan
             ),
         )
+        .at_most(Bound::Melt(1.0 / stefan))
     })
 }
 
-fn boiling(card: &MaterialCard, peak: f64) -> Option<String> {
+fn boiling(card: &MaterialCard, peak: f64) -> Option<Advice> {
     let boiling = card.boiling_k.as_ref()?.value;
     let over = peak > boiling;
     let text = format!(
@@ -93,55 +216,57 @@ fn boiling(card: &MaterialCard, peak: f64) -> Option<String> {
     );
     let cost =
         if over { "; it is not computed, and a peak above boiling is no longer conduction mode" } else { "" };
-    Some(told(Some(over), "evaporation", text + cost))
+    Some(Advice::new(Effect::Evaporation, Some(over), text + cost))
 }
 
-fn bottom(scales: &Scales) -> String {
-    let (rise, share) = (scales.bottom_rise(), scales.bottom_rise() / scales.peak_rise());
+fn bottom(hot: &Hot, scales: &Scales) -> Advice {
+    let solid = scales.bottom_rise();
+    let (rise, share) = (hot.change(solid), hot.share(solid));
     let fourier = scales.diffusivity * scales.lit / scales.thickness.powi(2);
-    told(
-        Some(share > NEGLIGIBLE),
-        "bottom face",
+    Advice::new(Effect::BottomFace, Some(share > NEGLIGIBLE),
         format!(
             "Fourier {fourier:.2} of the thickness; it changes the rise under the beam by up to {rise:.1} K, {:.2} % (mirror \
              images, Carslaw and Jaeger 1959, 10.4)",
             100.0 * share
         ),
     )
+    .at_most(Bound::Rise(share))
 }
 
 /// What the losses of the top face take away at most; of a face that has none, what a black one would lose.
-fn losses(top: Face, card: &MaterialCard, peak: f64, scales: &Scales) -> String {
-    let hottest = card.boiling_k.as_ref().map_or(peak, |boiling| peak.min(boiling.value));
-    let (coefficient, whose) = match top {
-        Face::Losses { convection_w_m2_k, emissivity, ambient_k } => (
-            convection_w_m2_k + radiation_coefficient(emissivity, hottest, ambient_k),
-            "the top face's losses",
-        ),
-        _ => (
-            radiation_coefficient(1.0, hottest, ROOM_K),
-            "radiation of a black top face, which the case leaves out,",
-        ),
+fn losses(top: Face, card: &MaterialCard, hot: &Hot, scales: &Scales) -> Advice {
+    let boiling = card.boiling_k.as_ref().map_or(f64::INFINITY, |boiling| boiling.value);
+    let hottest = hot.temperature.min(boiling);
+    let (convection, emissivity, ambient, whose) = match top {
+        Face::Losses { convection_w_m2_k, emissivity, ambient_k } => {
+            (convection_w_m2_k, emissivity, ambient_k, "the top face's losses")
+        }
+        _ => (0.0, 1.0, ROOM_K, "radiation of a black top face, which the case leaves out,"),
     };
-    let share = scales.losses_share(coefficient);
-    told(
+    let coefficient = |surface: f64| convection + radiation_coefficient(emissivity, surface, ambient);
+    let fall = scales.losses_fall(|rise| {
+        let surface = hot.at(rise).min(boiling);
+        coefficient(surface) * (surface - ambient)
+    });
+    let share = hot.share(-fall);
+    Advice::new(
+        Effect::Losses,
         Some(share > NEGLIGIBLE),
-        "losses",
         format!(
-            "Biot {:.1e} with {coefficient:.0} W/(m2 K) at {hottest:.0} K; {whose} would take away up to {:.2} % of the rise \
-             (bound: the whole face as hot, Carslaw and Jaeger 1959, 2.9)",
-            scales.biot(coefficient),
+            "Biot {:.1e} with {:.0} W/(m2 K) at {hottest:.0} K; {whose} would take away up to {:.2} % of the rise \
+             (bound: all the time as hot as at the end, Carslaw and Jaeger 1959, 10.4)",
+            scales.biot(coefficient(hottest)),
+            coefficient(hottest),
             100.0 * share
         ),
     )
+    .at_most(Bound::Rise(share))
 }
 
-fn movement(scales: &Scales) -> Option<String> {
+fn movement(scales: &Scales) -> Option<Advice> {
     (scales.speed > 0.0).then(|| {
         let ratio = scales.ahead_over_behind();
-        told(
-            Some(1.0 - ratio > NEGLIGIBLE),
-            "movement",
+        Advice::new(Effect::Movement, Some(1.0 - ratio > NEGLIGIBLE),
             format!(
                 "Peclet {:.3}; one radius ahead of the beam the rise is {ratio:.2} of that one radius behind (Rosenthal 1946)",
                 scales.peclet()
@@ -151,16 +276,16 @@ fn movement(scales: &Scales) -> Option<String> {
 }
 
 /// Heat that Marangoni flow carries over heat that is conducted, v w/a, by [`marangoni_speed`].
-fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Scales) -> String {
+fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Scales) -> Advice {
     let (Some(viscosity), Some(slope)) = (&card.viscosity_pa_s, &card.surface_tension_slope_n_m_k) else {
         let text = "not judged: the card lacks viscosity_pa_s or surface_tension_slope_n_m_k";
-        return told(None, "flow", text.into());
+        return Advice::new(Effect::Flow, None, text.into());
     };
     let material = &model.materials[0];
     let hottest = card.boiling_k.as_ref().map_or(peak, |boiling| peak.min(boiling.value));
     let excess = hottest - material.liquidus;
     if excess <= 0.0 {
-        return told(Some(false), "flow", "nothing melts".into());
+        return Advice::new(Effect::Flow, Some(false), "nothing melts".into());
     }
     let (pull, density) = (slope.value.abs() * excess, material.density);
     let speed = marangoni_speed(pull, density, viscosity.value, scales.radius);
@@ -174,21 +299,21 @@ fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Sca
         _ => "",
     };
     let way = if slope.value < 0.0 { "outwards" } else { "inwards" };
-    told(
+    Advice::new(
+        Effect::Flow,
         Some(peclet > 1.0),
-        "flow",
         format!("Marangoni flow {way} at about {speed:.2} m/s, Peclet {peclet:.1}{cost} (Ostrach 1982)"),
     )
 }
 
 /// E alpha dT / sigma_y: stress of a fully held body over its yield stress at the start (Boley and Weiner 1960). The program
 /// lets stress take no heat; what that leaves out of the temperatures is the thermoelastic coupling.
-fn stress(case: &Case, model: &Model, card: &MaterialCard, peak: f64) -> String {
+fn stress(case: &Case, model: &Model, card: &MaterialCard, peak: f64) -> Advice {
     let (Some(young), Some(poisson), Some(expansion), Some(strength)) =
         (&card.young_pa, &card.poisson, &card.expansion_1_k, &card.yield_pa)
     else {
         let text = "not judged: the card lacks young_pa, poisson, expansion_1_k or yield_pa";
-        return told(None, "stress", text.into());
+        return Advice::new(Effect::Stress, None, text.into());
     };
     let (start, capacity, _) = solid_scales(model);
     let rise = peak.min(model.materials[0].solidus) - start;
@@ -204,13 +329,12 @@ fn stress(case: &Case, model: &Model, card: &MaterialCard, peak: f64) -> String 
         }
         (false, _) => "even held all around, the solid stays elastic and keeps no residual stress",
     };
-    told(
-        Some(yields),
-        "stress",
+    Advice::new(Effect::Stress, Some(yields),
         format!(
             "E alpha dT / yield {ratio:.1}: {cost}; the pool is the same with and without, and the coupling that both leave \
              out is {:.1} % of the heat (Boley and Weiner 1960)",
             100.0 * stored
         ),
     )
+    .at_most(Bound::Rise(0.0))
 }

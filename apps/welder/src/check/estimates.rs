@@ -2,7 +2,7 @@
 //!
 //! They say what an effect can cost at most, relative to the rise under the beam, before anything is run.
 
-use crate::verify::exact::{SurfaceGaussian, plane_flux_rise, top_hat_rise};
+use crate::verify::exact::{SurfaceGaussian, top_hat_rise};
 use libm::erfc;
 use std::f64::consts::PI;
 
@@ -30,6 +30,33 @@ pub(super) struct Scales {
     pub(super) speed: f64,
     /// Thickness of the part \[m\].
     pub(super) thickness: f64,
+    /// Distance of the beam from the low and the high side of the part, in x and in y \[m\].
+    pub(super) walls: [[f64; 2]; 2],
+}
+
+/// Images below this share of the source end a sum.
+const FAINT: f64 = 1e-12;
+
+/// Square of the distance over a t from which on an image is that faint.
+const FAINTEST: f64 = 28.0;
+
+/// Rings of an integral over the top face.
+const RINGS: u32 = 2000;
+
+/// Intervals of an integral over time, an even number.
+const INTERVALS: u32 = 400;
+
+/// Heat of a unit source between two adiabatic walls, at the source, when it has spread for a t = `spread` \[m²\]: images at
+/// 2 m (d1 + d2) and 2 m (d1 + d2) + 2 d1 (Carslaw and Jaeger (1959), 10.10) \[1/m\].
+fn between_walls([low, high]: [f64; 2], spread: f64) -> f64 {
+    let image = |distance: f64| (-distance.powi(2) / (4.0 * spread)).exp();
+    let period = 2.0 * (low + high);
+    let pairs = (0..).map(|m| {
+        let shift = f64::from(m) * period;
+        image(shift + 2.0 * low) + image(shift + 2.0 * high) + 2.0 * image(shift + period)
+    });
+    let sum: f64 = pairs.take_while(|&pair| pair > FAINT).sum();
+    (1.0 + sum) / (4.0 * PI * spread).sqrt()
 }
 
 impl Scales {
@@ -43,27 +70,72 @@ impl Scales {
         }
     }
 
-    /// What an adiabatic bottom adds to the rise under the beam, by mirror images of a point source at 2 n L:
-    /// P/(2 pi k L) sum_n erfc(n L / sqrt(a t)) / n (Carslaw and Jaeger (1959), 10.4 eq. 2). A bottom that is
-    /// held at its temperature takes less than that away, because the signs alternate.
+    /// What an adiabatic bottom adds to the rise under a resting point of heat on the top face of the box, by mirror images in
+    /// all faces (Carslaw and Jaeger (1959), 10.4): P a/k times the integral over time of what the sides leave, G_x G_y, and
+    /// what the bottom's images add, 2/sqrt(pi a t) sum_n exp(-n²L²/(a t)). A bottom that is held at its temperature takes
+    /// less than that away, because the signs alternate.
     pub(super) fn bottom_rise(&self) -> f64 {
-        let reach = (self.diffusivity * self.lit).sqrt();
-        let images = (1..).map(f64::from).map(|n| erfc(n * self.thickness / reach) / n);
-        // The images end where heat has not come yet; each adds less than the one before.
-        let sum: f64 = images.take_while(|&image| image > 1e-12).sum();
-        self.power / (2.0 * PI * self.conductivity * self.thickness) * sum
+        self.images(self.thickness, |spread| {
+            let images = (1..).map(|n| (-(f64::from(n) * self.thickness).powi(2) / spread).exp());
+            let sum: f64 = images.take_while(|&image| image > FAINT).sum();
+            self.between_sides(spread) * 2.0 / (PI * spread).sqrt() * sum
+        })
     }
 
-    /// Largest share of the rise that a coefficient of heat transfer \[W/(m² K)\] of the top face takes away: the whole face
-    /// loses what its hottest point does, the flux h times the peak rise. Half space, Carslaw and Jaeger (1959), 2.9 eq. 8;
-    /// where the heat has come through, a slab with an adiabatic bottom, 3.8 eq. 3, without its decaying terms.
-    pub(super) fn losses_share(&self, coefficient: f64) -> f64 {
-        let fourier = self.diffusivity * self.lit / self.thickness.powi(2);
-        if fourier < 0.3 {
-            plane_flux_rise(coefficient, self.conductivity, self.diffusivity, self.lit)
-        } else {
-            coefficient * self.thickness / self.conductivity * (fourier + 1.0 / 3.0)
+    /// What the sides add to it on a half space: G_x G_y less that of the source itself, times 1/sqrt(pi a t).
+    fn sides_rise(&self) -> f64 {
+        let nearest = self.walls.as_flattened().iter().fold(f64::INFINITY, |least, &wall| least.min(wall));
+        // On an edge the image is the other half of the beam.
+        self.images(nearest.max(self.radius), |spread| {
+            (self.between_sides(spread) - 1.0 / (4.0 * PI * spread)) / (PI * spread).sqrt()
+        })
+    }
+
+    fn between_sides(&self, spread: f64) -> f64 {
+        self.walls.iter().map(|&walls| between_walls(walls, spread)).product()
+    }
+
+    /// P a/k times the integral over time of what images give for a t = `spread` \[m²\], the nearest in a plane at a distance.
+    fn images(&self, distance: f64, of: impl Fn(f64) -> f64) -> f64 {
+        // Earlier than that no image is felt.
+        let first = distance.powi(2) / (FAINTEST * self.diffusivity);
+        if first >= self.lit {
+            return 0.0;
         }
+        // Simpson's rule in the logarithm of time.
+        let width = (self.lit / first).ln() / f64::from(INTERVALS);
+        let weight = |n: u32| if n == 0 || n == INTERVALS { 1.0 } else { f64::from(2 + 2 * (n % 2)) };
+        let node = |n: u32| {
+            let time = first * (width * f64::from(n)).exp();
+            weight(n) * time * of(self.diffusivity * time)
+        };
+        self.power * self.diffusivity / self.conductivity * (0..=INTERVALS).map(node).sum::<f64>() * width
+            / 3.0
+    }
+
+    /// Fall of the rise under the beam by what the top face loses, at most, for the flux \[W/m²\] that it loses at a rise \[K\]: all
+    /// the time as hot as when the light goes off. Each ring takes away what an instantaneous source of its strength would
+    /// give, erfc(r / sqrt(4 a t)) / (2 pi k r) (Carslaw and Jaeger (1959), 10.4 eq. 2); what bottom and sides add to the
+    /// beam's rise they take away by its.
+    pub(super) fn losses_fall(&self, flux: impl Fn(f64) -> f64) -> f64 {
+        let width = |[low, high]: [f64; 2]| low + high;
+        let edge = (width(self.walls[0]) * width(self.walls[1]) / PI).sqrt();
+        let (peak, images) = (self.peak_rise(), self.bottom_rise() + self.sides_rise());
+        let ring = |n: u32| {
+            // Narrow rings near the beam.
+            let share = (f64::from(n) + 0.5) / f64::from(RINGS);
+            let (radius, ring) = (edge * share.powi(2), 2.0 * edge * share / f64::from(RINGS));
+            let away = erfc(radius / (4.0 * self.diffusivity * self.lit).sqrt());
+            let lost = flux(self.rise_at_most(radius, away).min(peak) + images);
+            ring * lost * (away / self.conductivity + 2.0 * PI * radius * images / self.power)
+        };
+        (0..RINGS).map(ring).sum()
+    }
+
+    /// Rise of the top face at a radius, that of a point with the first correction for the width of the beam.
+    fn rise_at_most(&self, radius: f64, away: f64) -> f64 {
+        let wider = 1.0 + 0.25 * (self.radius / radius).powi(2);
+        self.power * wider * away / (2.0 * PI * self.conductivity * radius)
     }
 
     /// Biot number h r / k of the beam.
@@ -109,6 +181,7 @@ mod tests {
         lit: 0.015,
         speed: 0.0,
         thickness: 3e-3,
+        walls: [[1.0; 2]; 2],
     };
 
     #[test]
@@ -129,12 +202,40 @@ mod tests {
         assert!((slope - 1.0).abs() < 0.02, "{slope}");
     }
 
+    /// Without sides the images are those of a point source, P/(2 pi k L) sum_n erfc(n L/sqrt(a t))/n (Carslaw and Jaeger
+    /// (1959), 10.4 eq. 2); a bar that is thin takes up all heat: P t/(rho c V) of the whole less that of a long one.
     #[test]
-    fn the_two_forms_of_the_losses_meet() {
-        let at = |fourier: f64| Scales { lit: fourier * 9e-6 / 8e-5, ..SPOT }.losses_share(1000.0);
-        assert!((at(0.2999999) / at(0.3000001) - 1.0).abs() < 0.03);
-        let plane = 2.0 * 1000.0 * (8e-5f64 * 0.01 / PI).sqrt() / 200.0;
-        assert!((Scales { lit: 0.01, ..SPOT }.losses_share(1000.0) / plane - 1.0).abs() < 1e-12);
+    fn the_bottom_between_sides_has_its_limits() {
+        let thin = Scales { thickness: 0.4e-3, ..SPOT };
+        let reach = (thin.diffusivity * thin.lit).sqrt();
+        let images = (1..200).map(f64::from).map(|n| erfc(n * thin.thickness / reach) / n);
+        let open = thin.power / (2.0 * PI * thin.conductivity * thin.thickness) * images.sum::<f64>();
+        assert!((thin.bottom_rise() / open - 1.0).abs() < 1e-4, "{} {open}", thin.bottom_rise());
+        let dice = Scales { thickness: 1e-4, walls: [[0.5e-4; 2], [0.3e-4, 0.7e-4]], lit: 1.0, ..SPOT };
+        let capacity = dice.conductivity / dice.diffusivity * 1e-12;
+        let bar = 2.0 * (dice.diffusivity * dice.lit / PI).sqrt() / dice.conductivity / 1e-8;
+        let whole = dice.power * (dice.lit / capacity - bar);
+        assert!((dice.bottom_rise() / whole - 1.0).abs() < 1e-3, "{} {whole}", dice.bottom_rise());
+    }
+
+    /// A face that loses the same everywhere: a plane source, 2 q sqrt(a t/pi)/k (Carslaw and Jaeger (1959), 2.9 eq. 8); of a
+    /// dice of metal the heat is gone from all of it.
+    #[test]
+    fn even_losses_have_their_limits() {
+        let plane = 2.0 * 1000.0 * (8e-5f64 * 0.015 / PI).sqrt() / 200.0;
+        let thick = Scales { thickness: 1.0, ..SPOT };
+        assert!((thick.losses_fall(|_| 1000.0) / plane - 1.0).abs() < 1e-3);
+        let dice = Scales { thickness: 1e-4, walls: [[0.5e-4; 2]; 2], lit: 1.0, ..SPOT };
+        let whole = 1000.0 * 1e-8 * dice.lit / (dice.conductivity / dice.diffusivity * 1e-12);
+        assert!((dice.losses_fall(|_| 1000.0) / whole - 1.0).abs() < 1e-2);
+    }
+
+    #[test]
+    fn losses_fall_off_with_the_heat() {
+        let thick = Scales { thickness: 1.0, ..SPOT };
+        let (peak, even) = (thick.peak_rise(), thick.losses_fall(|_| 1.0));
+        let real = thick.losses_fall(|rise| rise / peak);
+        assert!(real > 0.1 * even && real < 0.9 * even, "{real} {even}");
     }
 
     #[test]

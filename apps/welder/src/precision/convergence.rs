@@ -45,25 +45,26 @@ impl Convergence {
         let nothing =
             Convergence { order: None, extrapolated: None, error: None, index: None, asymptotic: false };
         let Some(order) = observed_order([h1, h2, h3], (f3 - f2) / (f2 - f1)) else { return Some(nothing) };
-        let shift = (f1 - f2) / ((h2 / h1).powf(order) - 1.0);
+        let shift_of = |order: f64| (f1 - f2) / ((h2 / h1).powf(order) - 1.0);
         let asymptotic = ASYMPTOTIC.contains(&(order / PROMISED_ORDER));
-        let factor = if asymptotic { SAFETY_FACTOR } else { CAREFUL_SAFETY_FACTOR };
+        let shift = shift_of(order);
+        // Values that seem to converge faster than they can are about to turn: their order would hide the error.
+        let careful = CAREFUL_SAFETY_FACTOR * shift_of(order.min(PROMISED_ORDER));
+        let bound = if asymptotic { SAFETY_FACTOR * shift } else { careful };
         Some(Convergence {
             order: Some(order),
             extrapolated: Some(f1 + shift),
             error: Some((shift / (f1 + shift)).abs()),
-            index: Some(factor * (shift / f1).abs()),
+            index: Some((bound / f1).abs()),
             asymptotic,
         })
     }
 }
 
 /// Grid convergence index of `fine`, relative to it, from one coarser value whose spacing is `ratio` times as large: with
-/// the order of a ladder in the asymptotic range, else with order one and the careful factor.
-pub(super) fn index_of_two(fine: f64, coarse: f64, ratio: f64, ladder: Option<&Convergence>) -> f64 {
-    let trusted = ladder.filter(|ladder| ladder.asymptotic).and_then(|ladder| ladder.order);
-    let (order, factor) = trusted.map_or((1.0, CAREFUL_SAFETY_FACTOR), |order| (order, SAFETY_FACTOR));
-    factor * ((coarse - fine) / fine).abs() / (ratio.powf(order) - 1.0)
+/// order one and the careful factor.
+pub(super) fn index_of_two(fine: f64, coarse: f64, ratio: f64) -> f64 {
+    CAREFUL_SAFETY_FACTOR * ((coarse - fine) / fine).abs() / (ratio - 1.0)
 }
 
 /// The order p > 0 for which the spacings h1 < h2 < h3 give this ratio of differences, if there is one.
@@ -101,9 +102,14 @@ mod tests {
             assert!((found.extrapolated.unwrap() - 5.0).abs() < 1e-12, "{found:?}");
             assert_eq!(found.asymptotic, asymptotic, "{found:?}");
             let (error, finest) = (0.3 * 0.1f64.powf(order), 5.0 - 0.3 * 0.1f64.powf(order));
-            let factor = if asymptotic { 1.25 } else { 3.0 };
+            // Above the promised order the careful index takes that: 0.3 (0.2^p - 0.1^p) / (2^2 - 1).
+            let index = match (asymptotic, order > 2.0) {
+                (true, _) => 1.25 * error,
+                (false, false) => 3.0 * error,
+                (false, true) => 0.3 * (0.2f64.powf(order) - 0.1f64.powf(order)),
+            };
             assert!((found.error.unwrap() / (error / 5.0) - 1.0).abs() < 1e-6, "{found:?}");
-            assert!((found.index.unwrap() / (factor * error / finest) - 1.0).abs() < 1e-6, "{found:?}");
+            assert!((found.index.unwrap() / (index / finest) - 1.0).abs() < 1e-6, "{found:?}");
         }
     }
 
@@ -145,13 +151,9 @@ mod tests {
     }
 
     #[test]
-    fn two_values_take_the_order_of_the_ladder_only_where_it_can_be_trusted() {
-        let good = ladder([0.4, 0.2, 0.1], |h| 1.0 + h * h);
-        assert!((index_of_two(1.0, 1.03, 2.0, Some(&good)) - 1.25 * 0.01).abs() < 1e-9);
-        let bad = ladder([0.4, 0.2, 0.1], |h| 1.0 + h.powi(6));
-        for careful in [None, Some(&bad)] {
-            assert!((index_of_two(1.0, 1.03, 2.0, careful) - 0.09).abs() < 1e-12);
-        }
+    fn two_values_take_order_one_and_the_careful_factor() {
+        assert!((index_of_two(1.0, 1.03, 2.0) - 0.09).abs() < 1e-12);
+        assert!((index_of_two(-1.0, -1.03, 4.0) - 0.03).abs() < 1e-12);
     }
 
     proptest! {

@@ -2,8 +2,8 @@
 
 use super::Point;
 use super::convergence::{Convergence, index_of_two};
-use super::quantity::{QUANTITIES, Quantity, Sizes};
-use super::settings;
+use super::quantity::{QUANTITIES, Quantity};
+use super::settings::TIGHT;
 use serde::Serialize;
 
 /// What the spacings of one setting say about one quantity.
@@ -22,9 +22,15 @@ pub(super) struct Estimate {
 
 /// Estimates for every setting that ran at three spacings or more.
 pub(super) fn estimates(points: &[Point]) -> Vec<Estimate> {
-    let settings = settings::all();
-    let pairs = settings.iter().flat_map(|setting| QUANTITIES.iter().map(move |q| (&setting.name, q)));
+    let pairs = names(points).into_iter().flat_map(|name| QUANTITIES.iter().map(move |q| (name, q)));
     pairs.filter_map(|(setting, quantity)| estimate(setting, quantity, points)).collect()
+}
+
+/// The settings in the order in which they ran.
+pub(super) fn names(points: &[Point]) -> Vec<&str> {
+    let mut names: Vec<_> = points.iter().map(|point| point.setting.as_str()).collect();
+    names.dedup();
+    names
 }
 
 fn estimate(setting: &str, quantity: &Quantity, points: &[Point]) -> Option<Estimate> {
@@ -36,21 +42,20 @@ fn estimate(setting: &str, quantity: &Quantity, points: &[Point]) -> Option<Esti
     Some(Estimate { setting: setting.into(), quantity, unit, spacing_m, value, convergence })
 }
 
-/// Relative uncertainty of the reference in each quantity: its grid convergence index against the finest default run.
-pub(super) fn reference_indices(
-    reference: (f64, &Sizes),
-    points: &[Point],
-    estimates: &[Estimate],
-) -> Vec<f64> {
-    let (spacing_m, sizes) = reference;
-    let default = settings::DEFAULT;
-    let finest = points.iter().rfind(|point| point.setting == default);
+/// Relative uncertainty of the reference in each quantity: the grid convergence index of the ladder that ends with it, or,
+/// where the ladder shows no order, that of its two finest runs.
+pub(super) fn reference_indices(points: &[Point], estimates: &[Estimate]) -> Vec<f64> {
+    let mut own = points.iter().rev().filter(|point| point.setting == TIGHT);
+    let (Some(fine), Some(coarse)) = (own.next(), own.next()) else {
+        return vec![f64::NAN; QUANTITIES.len()];
+    };
     let index = |quantity: &Quantity| {
-        let ladder = estimates.iter().find(|e| e.setting == default && e.quantity == quantity.name);
-        finest.map_or(f64::NAN, |finest| {
-            let (fine, coarse) = ((quantity.of)(sizes), (quantity.of)(&finest.sizes));
-            index_of_two(fine, coarse, finest.spacing_m / spacing_m, ladder.map(|e| &e.convergence))
-        })
+        let ladder = estimates.iter().find(|e| e.setting == TIGHT && e.quantity == quantity.name);
+        let of_two = || {
+            let value = |point: &Point| (quantity.of)(&point.sizes);
+            index_of_two(value(fine), value(coarse), coarse.spacing_m / fine.spacing_m)
+        };
+        ladder.and_then(|estimate| estimate.convergence.index).unwrap_or_else(of_two)
     };
     QUANTITIES.iter().map(index).collect()
 }
@@ -79,7 +84,7 @@ pub(super) fn most_exact<'a>(points: &'a [Point], reference_indices: &[f64]) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::quantity::Errors;
+    use super::super::quantity::{Errors, Sizes};
     use super::*;
 
     /// A run whose sizes are all off by `error`.
@@ -135,11 +140,16 @@ mod tests {
 
     #[test]
     fn what_the_reference_may_be_off_counts() {
-        let points = ladder();
-        let reference = point("reference", 0.05, 0.0, 0.5 * 0.05 * 0.05);
-        let indices = reference_indices((0.05, &reference.sizes), &points, &estimates(&points));
+        let tight = |h: f64| point(TIGHT, h, 1.0, 0.5 * h * h);
+        let mut points = ladder();
+        points.extend([0.2, 0.1, 0.05].map(tight));
+        let indices = reference_indices(&points, &estimates(&points));
         assert!((indices[0] / (1.25 * 0.5 * 0.05 * 0.05) - 1.0).abs() < 2e-3, "{indices:?}");
         assert!(indices[4].is_nan());
+        // Two runs alone take order one and the factor for two.
+        let two = [tight(0.1), tight(0.05)];
+        let careful = reference_indices(&two, &estimates(&two))[0];
+        assert!((careful / (3.0 * 0.5 * (0.1 * 0.1 - 0.05 * 0.05)) - 1.0).abs() < 2e-3, "{careful}");
         assert!(bound(&points[2], &indices).0 > bound(&points[2], &[0.0; 5]).0);
         assert_eq!(bound(&points[0], &[0.0, 0.02, 0.0, 0.0, f64::NAN]).1, "depth");
     }

@@ -1,27 +1,38 @@
 //! `welder precision`: error against cost of a case, over spacings and settings.
 //!
-//! The reference is the case itself at half of its spacing with the tolerance of its steps cut to a fifth; what is listed
-//! is the difference to it in the pool's width, depth and length, peak rise and weld volume, beside processor time, particles and pair visits. Each
-//! setting changes one thing against the defaults, so that a line tells what that thing is worth. Over its spacings each
-//! setting is also judged without the reference, by Richardson extrapolation and the grid convergence index.
+//! The reference is the case itself at half of its spacing with short steps; what is listed is the difference to it in the
+//! pool's width, depth and length, peak rise and weld volume, beside processor time, particles and pair visits. Each
+//! setting changes one thing against the defaults, so that a line tells what that thing is worth. All but one run on the same
+//! boxes of levels, each cell halved from one spacing to the next: so the runs with the reference's steps and the reference
+//! differ in the spacing alone, and Richardson extrapolation and the grid convergence index judge them without a reference.
 
 mod convergence;
 mod estimate;
+mod limits;
+mod measured;
 mod picture;
 mod quantity;
+mod rungs;
 mod settings;
 mod table;
+mod vary;
 
-use crate::case::{self, Case};
+use crate::case::source::Source;
+use crate::case::{self, Case, CaseError};
 use crate::cli::{ExitStatus, PrecisionArguments, refuse, say};
 use crate::model::{Model, ModelError};
-use crate::observe::{Machine, ObserveError, process_cpu_s, summary};
-use crate::physics::Failure;
-use crate::run::{Simulation, level_plan};
+use crate::observe::{Machine, ObserveError, summary};
+use crate::run::level_plan;
 use estimate::Estimate;
-use quantity::{Errors, Sizes};
+use rungs::Rungs;
+use settings::{Boxes, Setting, TIGHT};
+
 use serde::Serialize;
 use std::path::Path;
+
+pub(crate) use limits::Limits;
+pub(crate) use measured::{MeasureError, Point};
+pub(crate) use quantity::Errors;
 
 /// What can stop the ladder.
 #[derive(Debug, thiserror::Error)]
@@ -29,31 +40,13 @@ enum PrecisionError {
     #[error("{0}")]
     Model(#[from] ModelError),
     #[error("{0}")]
-    Failure(#[from] Failure),
+    Measure(#[from] MeasureError),
     #[error("{0}")]
     Observe(#[from] ObserveError),
     #[error("{0}")]
     Table(#[from] csv::Error),
-    #[error("no coarser spacing divides the part; choose a size that is a multiple of 2 or 4 spacings")]
-    NoLadder,
-}
-
-/// One run of the ladder.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-struct Point {
-    setting: String,
-    spacing_m: f64,
-    particles: usize,
-    pairs_per_particle: f64,
-    steps: u64,
-    sweeps: u64,
-    pair_visits: u64,
-    cpu_s: f64,
-    setup_cpu_s: f64,
-    #[serde(flatten)]
-    errors: Errors,
-    #[serde(flatten)]
-    sizes: Sizes,
+    #[error("{0}")]
+    Case(#[from] CaseError),
 }
 
 #[derive(Serialize)]
@@ -61,11 +54,9 @@ struct Report<'a> {
     version: &'static str,
     machine: Machine,
     case: &'a str,
-    reference: Sizes,
-    reference_spacing_m: f64,
-    reference_particles: usize,
     /// Grid convergence index of the reference in each quantity, in the order of the estimates.
-    reference_indices: Vec<f64>,
+    reference_indices: &'a [f64],
+    /// All runs; the reference is the last one of the setting with its steps.
     points: &'a [Point],
     estimates: &'a [Estimate],
 }
@@ -87,9 +78,14 @@ pub fn command(arguments: &PrecisionArguments) -> ExitStatus {
     };
     match told {
         Ok(status) => status,
-        Err(PrecisionError::NoLadder) => {
-            tracing::error!("{}: {}", case.path.display(), PrecisionError::NoLadder);
-            ExitStatus::WrongInput
+        Err(PrecisionError::Case(error)) => refuse(&error),
+        Err(PrecisionError::Measure(error @ MeasureError::TooLarge { .. })) => {
+            let remedy = "use a larger spacing_m, or raise the budget: precision also runs the case at half of its spacing";
+            refuse(&at_spacing(&case, &error.to_string(), remedy))
+        }
+        Err(PrecisionError::Measure(error)) => {
+            tracing::error!("{error}");
+            error.status()
         }
         Err(error) => {
             tracing::error!("{error}");
@@ -98,61 +94,102 @@ pub fn command(arguments: &PrecisionArguments) -> ExitStatus {
     }
 }
 
+/// A finding about the spacing of the case.
+fn at_spacing(case: &Case, reason: &str, remedy: &str) -> CaseError {
+    let source = Source::of_text(&case.path, case.source_text.clone());
+    source.map_or_else(|problem| problem, |s| s.problem("resolution.spacing_m", reason, remedy)).into()
+}
+
+/// What a ladder found.
+struct Ladder {
+    points: Vec<Point>,
+    estimates: Vec<Estimate>,
+    /// Grid convergence index of the reference in each quantity.
+    reference_indices: Vec<f64>,
+}
+
 fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<ExitStatus, PrecisionError> {
+    let base = Model::from_case(case)?;
+    let settings = match &arguments.vary {
+        None => settings::all(&base),
+        Some(argument) => {
+            settings::plain(&base).into_iter().chain(vary::settings(arguments, argument)?).collect()
+        }
+    };
+    let Some(rungs) = Rungs::new(&base)? else {
+        let reason =
+            "twice this spacing does not divide the part, or leaves less than two to the beam's radius (1/e)";
+        return Err(at_spacing(
+            case,
+            reason,
+            "accepted: a spacing of which each side holds a multiple of 2, six or more, and the radius four",
+        )
+        .into());
+    };
     let folder = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(&case.name));
     std::fs::create_dir_all(&folder).map_err(ObserveError::file("create", &folder))?;
-    let base = Model::from_case(case)?;
-    let spacings = settings::spacings(&base);
-    if spacings.len() < 2 {
-        return Err(PrecisionError::NoLadder);
-    }
-    let fine = settings::reference(&base);
-    let finest = run(&fine, "reference")?;
-    let reference = finest.sizes;
-    say(&format!(
-        "{}: reference at {:.2} um, {} particles: width {:.2} um, depth {:.2} um, peak {:.1} K ({:.1} s)",
-        case.name,
-        1e6 * fine.spacing(),
-        finest.particles,
-        1e6 * reference.width_m,
-        1e6 * reference.depth_m,
-        reference.peak_temperature_k,
-        finest.cpu_s
-    ));
+    let points = climb(&rungs, &settings, &Limits::of(&case.scene))?;
+    let estimates = estimate::estimates(&points);
+    let reference_indices = estimate::reference_indices(&points, &estimates);
+    let found = Ladder { points, estimates, reference_indices };
+    say(&table::convergence(&found.estimates, &found.reference_indices));
+    write(case, arguments, &folder, &found)?;
+    say(&format!("results in {}", folder.display()));
+    let wanted = arguments.wanted_error;
+    Ok(wanted.map_or(ExitStatus::Done, |wanted| choose(&found.points, &found.reference_indices, wanted)))
+}
+
+/// Runs all settings on all rungs. The reference, which is the largest, comes first in time, and among the points after those
+/// of its own setting.
+fn climb(rungs: &Rungs, settings: &[Setting], limits: &Limits) -> Result<Vec<Point>, MeasureError> {
+    let measure = |setting: &Setting, cut: i64| {
+        let Some(model) = setting.at(rungs.spacing(cut)) else { return Ok(None) };
+        let plan = || match setting.boxes {
+            Boxes::Ladder => Ok(rungs.plan(cut)),
+            Boxes::Own => level_plan(&model, 0.0),
+        };
+        Point::measure_on(&model, plan, &setting.name, limits).map(Some)
+    };
+    let tight = settings.iter().find(|setting| setting.name == TIGHT);
+    let reference = tight.map(|setting| measure(setting, Rungs::REFERENCE)).transpose()?.flatten();
     let mut points = Vec::new();
+    let Some(reference) = reference else { return Ok(points) };
     say(&table::head());
-    for setting in settings::all() {
-        for &spacing in &spacings {
-            let Some(model) = setting.apply(&base, spacing) else { continue };
-            let mut point = run(&model, &setting.name)?;
-            point.errors = Errors::against(&point.sizes, &reference);
-            say(&table::row(&point));
-            points.push(point);
+    let mut tell = |mut point: Point| {
+        point.errors = Errors::against(&point.sizes, &reference.sizes);
+        say(&table::row(&point));
+        points.push(point);
+    };
+    for setting in settings {
+        for cut in Rungs::CUTS {
+            measure(setting, cut)?.into_iter().for_each(&mut tell);
+        }
+        if setting.name == TIGHT {
+            tell(reference.clone());
         }
     }
-    let estimates = estimate::estimates(&points);
-    let indices = estimate::reference_indices((fine.spacing(), &reference), &points, &estimates);
-    say(&table::convergence(&estimates, &indices));
-    table::write_csv(&folder.join("precision.csv"), &points)?;
-    table::write_convergence(&folder.join("precision_convergence.csv"), &estimates)?;
-    picture::draw(&folder, &case.name, &points)?;
-    picture::draw_convergence(&folder, &case.name, &points, &estimates)?;
+    Ok(points)
+}
+
+fn write(
+    case: &Case,
+    arguments: &PrecisionArguments,
+    folder: &Path,
+    found: &Ladder,
+) -> Result<(), PrecisionError> {
+    let Ladder { points, estimates, reference_indices } = found;
+    table::write_csv(&folder.join("precision.csv"), points)?;
+    table::write_convergence(&folder.join("precision_convergence.csv"), estimates)?;
+    picture::draw(folder, &case.name, points)?;
+    picture::draw_convergence(folder, &case.name, points, estimates)?;
     if let Some(path) = &arguments.json {
-        let report = Report {
-            version: env!("CARGO_PKG_VERSION"),
-            machine: Machine::here(),
-            case: &case.name,
-            reference,
-            reference_spacing_m: fine.spacing(),
-            reference_particles: finest.particles,
-            reference_indices: indices.clone(),
-            points: &points,
-            estimates: &estimates,
-        };
-        summary::write_json(path, &report)?;
+        let (version, machine) = (env!("CARGO_PKG_VERSION"), Machine::here());
+        summary::write_json(
+            path,
+            &Report { version, machine, case: &case.name, reference_indices, points, estimates },
+        )?;
     }
-    say(&format!("results in {}", folder.display()));
-    Ok(arguments.wanted_error.map_or(ExitStatus::Done, |wanted| choose(&points, &indices, wanted)))
+    Ok(())
 }
 
 /// Says which run is the cheapest that is as exact as wanted; without one the audit has failed.
@@ -178,40 +215,4 @@ fn choose(points: &[Point], indices: &[f64], wanted: f64) -> ExitStatus {
             ExitStatus::AuditFailed
         }
     }
-}
-
-/// Runs a model and counts what it costs; errors are left at zero.
-fn run(model: &Model, setting: &str) -> Result<Point, PrecisionError> {
-    let clock = || process_cpu_s().unwrap_or(f64::NAN);
-    let started = clock();
-    let plan = level_plan(model, 0.0)?;
-    let mut simulation = Simulation::with_plan(model.clone(), &plan)?;
-    let built = clock();
-    simulation.run_quietly()?;
-    let ended = clock();
-    let (records, cost) = (simulation.records(), simulation.cost());
-    let start = (model.start)(model.bounds().0).1;
-    let sizes = Sizes {
-        width_m: records.liquidus.width,
-        depth_m: records.liquidus.depth,
-        length_m: records.liquidus.length,
-        peak_temperature_k: records.peak_temperature,
-        peak_rise_k: records.peak_temperature - start,
-        weld_volume_m3: simulation.gauge().weld_volume(model, simulation.particles()),
-        solidified_at_s: records.solidified_at,
-    };
-    let particles = simulation.particles().len();
-    Ok(Point {
-        setting: setting.to_string(),
-        spacing_m: model.spacing(),
-        particles,
-        pairs_per_particle: cost.pair_visits as f64 / cost.sweeps as f64 / particles as f64,
-        steps: simulation.steps(),
-        sweeps: cost.sweeps,
-        pair_visits: cost.pair_visits,
-        cpu_s: ended - started,
-        setup_cpu_s: built - started,
-        errors: Errors::default(),
-        sizes,
-    })
 }

@@ -1,7 +1,7 @@
 //! The pictures of a ladder: error against cost for each quantity, and error against spacing for the defaults.
 
 use super::Point;
-use super::estimate::Estimate;
+use super::estimate::{self, Estimate};
 use super::quantity::{Errors, QUANTITIES, Quantity};
 use super::settings;
 use crate::observe::ObserveError;
@@ -16,10 +16,8 @@ pub(super) fn draw(folder: &Path, name: &str, points: &[Point]) -> Result<(), Ob
         [("cpu", "processor time, s", |p| p.cpu_s), ("particles", "particles", |p| p.particles as f64)];
     for quantity in &QUANTITIES {
         for (stem, label, cost) in costs {
-            let series: Vec<_> = settings::all()
-                .into_iter()
-                .map(|setting| line(setting.name, points, cost, quantity.error))
-                .collect();
+            let names = estimate::names(points).into_iter();
+            let series: Vec<_> = names.map(|name| line(name.into(), points, cost, quantity.error)).collect();
             let title = format!("{name}: error in {}", quantity.name);
             let path = folder.join(format!("precision_{}_{stem}.png", quantity.name));
             draw_scatter(&path, &title, (label, "error, %"), &series)?;
@@ -34,7 +32,7 @@ fn line(name: String, points: &[Point], cost: Cost, error: fn(&Errors) -> f64) -
     Series { name, points }
 }
 
-/// Draws how far each default run is from the extrapolated value of its quantity, against the spacing. A straight line of
+/// Draws how far each run with the steps of the reference is from the extrapolated value of its quantity, against the spacing. A straight line of
 /// slope two is what the scheme promises; a quantity without an extrapolated value has no line.
 pub(super) fn draw_convergence(
     folder: &Path,
@@ -49,10 +47,10 @@ pub(super) fn draw_convergence(
 }
 
 fn distance(quantity: &Quantity, points: &[Point], estimates: &[Estimate]) -> Series {
-    let own = estimates.iter().find(|e| e.setting == settings::DEFAULT && e.quantity == quantity.name);
+    let own = estimates.iter().find(|e| e.setting == settings::TIGHT && e.quantity == quantity.name);
     let limit = own.and_then(|estimate| estimate.convergence.extrapolated);
     let order = own.and_then(|estimate| estimate.convergence.order);
-    let runs = points.iter().filter(|point| point.setting == settings::DEFAULT);
+    let runs = points.iter().filter(|point| point.setting == settings::TIGHT);
     let place = |point: &Point, limit: f64| {
         (1e6 * point.spacing_m, 100.0 * (quantity.scale * (quantity.of)(&point.sizes) / limit - 1.0).abs())
     };

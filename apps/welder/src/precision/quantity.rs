@@ -4,30 +4,30 @@ use serde::Serialize;
 
 /// Sizes that a run found.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub(super) struct Sizes {
-    pub(super) width_m: f64,
-    pub(super) depth_m: f64,
-    pub(super) length_m: f64,
-    pub(super) peak_temperature_k: f64,
+pub(crate) struct Sizes {
+    pub(crate) width_m: f64,
+    pub(crate) depth_m: f64,
+    pub(crate) length_m: f64,
+    pub(crate) peak_temperature_k: f64,
     /// Peak temperature over the start: errors of temperature are relative to it.
-    pub(super) peak_rise_k: f64,
-    pub(super) weld_volume_m3: f64,
-    pub(super) solidified_at_s: Option<f64>,
+    pub(crate) peak_rise_k: f64,
+    pub(crate) weld_volume_m3: f64,
+    pub(crate) solidified_at_s: Option<f64>,
 }
 
 /// Relative differences to the reference; no number where the reference is zero.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub(super) struct Errors {
-    pub(super) width_error: f64,
-    pub(super) depth_error: f64,
-    pub(super) length_error: f64,
-    pub(super) peak_error: f64,
-    pub(super) weld_error: f64,
+pub(crate) struct Errors {
+    pub(crate) width_error: f64,
+    pub(crate) depth_error: f64,
+    pub(crate) length_error: f64,
+    pub(crate) peak_error: f64,
+    pub(crate) weld_error: f64,
 }
 
 impl Errors {
     /// How far `found` is off.
-    pub(super) fn against(found: &Sizes, reference: &Sizes) -> Self {
+    pub(crate) fn against(found: &Sizes, reference: &Sizes) -> Self {
         let of = |quantity: &Quantity| {
             let (found, exact) = ((quantity.of)(found), (quantity.of)(reference));
             if exact == 0.0 { f64::NAN } else { found / exact - 1.0 }

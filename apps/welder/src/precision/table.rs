@@ -104,13 +104,14 @@ pub(super) fn write_csv(path: &Path, points: &[Point]) -> Result<(), PrecisionEr
 
 /// The estimates of the default setting, one line a quantity, with the index of the reference.
 pub(super) fn convergence(estimates: &[Estimate], reference_indices: &[f64]) -> String {
-    let own: Vec<_> = estimates.iter().filter(|e| e.setting == settings::DEFAULT).collect();
+    let own: Vec<_> = estimates.iter().filter(|e| e.setting == settings::TIGHT).collect();
     if own.is_empty() {
-        return "fewer than three spacings divide the part: no observed order".into();
+        return "fewer than three spacings: no observed order".into();
     }
     let mut lines = vec![
         format!(
-            "default, spacings alone (index: safety factor {SAFETY_FACTOR}, {CAREFUL_SAFETY_FACTOR} where {NOT_ASYMPTOTIC}):"
+            "{}, spacings alone (index: safety factor {SAFETY_FACTOR}, {CAREFUL_SAFETY_FACTOR} where {NOT_ASYMPTOTIC}):",
+            settings::TIGHT
         ),
         format!(
             "{:<14} {:>11} {:>7} {:>12} {:>8} {:>8} {:>11}",

@@ -13,7 +13,7 @@ mod weld;
 
 pub use command::command;
 pub use ledger::Ledger;
-pub use pilot::level_plan;
+pub use pilot::{level_plan, level_plan_on};
 pub use report::numbers;
 pub(crate) use report::solid_scales;
 pub use scenario::Scenario;

@@ -24,16 +24,24 @@ const SMALLEST_COARSENING: i64 = 2;
 /// # Errors
 /// [`ModelError`] when the pilot cannot be built.
 pub fn level_plan(model: &Model, grown: f64) -> Result<LevelPlan<3>, ModelError> {
-    let counts = model.counts();
+    level_plan_on(model, model, grown)
+}
+
+/// The levels of `model`, in whole cells of `lattice`: the same part at another spacing.
+///
+/// # Errors
+/// Those of [`level_plan`].
+pub fn level_plan_on(lattice: &Model, model: &Model, grown: f64) -> Result<LevelPlan<3>, ModelError> {
+    let counts = lattice.counts();
     match model.resolution.levels {
         Levels::Uniform => Ok(LevelPlan::uniform(counts)),
         Levels::FineBox { low_m, high_m } => {
-            Ok(LevelPlan::around(counts, explicit_box(model, low_m, high_m)))
+            Ok(LevelPlan::around(counts, explicit_box(lattice, low_m, high_m)))
         }
         // A stressed body takes one spacing.
         Levels::Auto if model.laser.is_none() || model.stress.is_some() => Ok(LevelPlan::uniform(counts)),
         Levels::Auto => {
-            let fine = fine_box_around(model, pool_bounds(model)?, margin(model) + grown);
+            let fine = fine_box_around(lattice, pool_bounds(model)?, margin(model) + grown);
             Ok(LevelPlan::around(counts, fine))
         }
     }

@@ -60,7 +60,7 @@ fn beam_m3(scene: &Scene) -> f64 {
 }
 
 /// The memory that may be used, in bytes, and who says so.
-fn memory(scene: &Scene) -> Option<(f64, &'static str)> {
+pub(crate) fn memory(scene: &Scene) -> Option<(f64, &'static str)> {
     match scene.budget.max_memory_bytes {
         Some(bytes) => Some((bytes as f64, "budget.max_memory_bytes")),
         None => Some((available_bytes()?, "the free memory of this machine")),
