@@ -2,9 +2,10 @@
 
 mod advice;
 mod estimates;
+mod fluid;
 
 use crate::build::{LevelPlan, Workpiece};
-use crate::case::{self, Case};
+use crate::case::{self, Case, Loaded};
 use crate::cli::{CheckArguments, ExitStatus, refuse, say};
 use crate::model::{Model, ModelError};
 use crate::observe::Machine;
@@ -31,14 +32,17 @@ const LARGEST_SIZE_CHANGE: f64 = 0.05;
 
 /// Checks the case of `arguments` and tells what it will be.
 pub fn command(arguments: &CheckArguments) -> ExitStatus {
-    let case = match case::load(&arguments.case, &arguments.overrides) {
+    let case = match case::load_any(&arguments.case, &arguments.overrides) {
         Ok(case) => case,
         Err(error) => return refuse(&error),
     };
-    let told = Model::from_case(&case).and_then(|model| describe(&case, &model));
+    let (name, told) = match &case {
+        Loaded::Weld(case) => (&case.name, Model::from_case(case).and_then(|model| describe(case, &model))),
+        Loaded::Fluid(case) => (&case.name, fluid::describe(case)),
+    };
     match told {
         Ok(lines) => {
-            say(&format!("{}: the case is well formed\n{}", case.name, lines.join("\n")));
+            say(&format!("{name}: the case is well formed\n{}", lines.join("\n")));
             ExitStatus::Done
         }
         Err(error) => {

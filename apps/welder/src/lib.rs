@@ -4,6 +4,7 @@ pub mod build;
 pub mod case;
 pub mod check;
 pub mod cli;
+pub mod fluid;
 pub mod list;
 pub mod measure;
 pub mod model;

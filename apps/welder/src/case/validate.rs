@@ -4,6 +4,7 @@
 mod faces;
 mod findings;
 mod flow;
+mod fluid;
 mod laser;
 mod lattice;
 mod material;
@@ -19,6 +20,8 @@ use super::problem::Problem;
 use super::scene::Scene;
 use super::source::Source;
 use findings::Findings;
+
+pub use fluid::validate_fluid;
 
 /// All findings, in the order of the sections; the materials' own come last.
 pub fn validate(

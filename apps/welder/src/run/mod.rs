@@ -2,6 +2,7 @@
 
 mod command;
 mod course;
+mod fluid;
 mod ledger;
 mod pilot;
 mod report;
@@ -12,6 +13,7 @@ mod watch;
 mod weld;
 
 pub use command::command;
+pub(crate) use fluid::fluid_numbers;
 pub use ledger::Ledger;
 pub use pilot::level_plan;
 pub use report::numbers;
