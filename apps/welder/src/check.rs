@@ -3,6 +3,7 @@
 mod advice;
 mod estimates;
 mod fluid;
+mod solid;
 
 use crate::build::{LevelPlan, Workpiece};
 use crate::case::{self, Case, Loaded};
@@ -39,6 +40,7 @@ pub fn command(arguments: &CheckArguments) -> ExitStatus {
     let (name, told) = match &case {
         Loaded::Weld(case) => (&case.name, Model::from_case(case).and_then(|model| describe(case, &model))),
         Loaded::Fluid(case) => (&case.name, fluid::describe(case)),
+        Loaded::Solid(case) => (&case.name, solid::describe(case)),
     };
     match told {
         Ok(lines) => {

@@ -13,4 +13,5 @@ pub mod particles;
 pub mod physics;
 pub mod precision;
 pub mod run;
+pub mod solid;
 pub mod verify;

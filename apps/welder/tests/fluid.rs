@@ -258,5 +258,5 @@ fn what_only_a_weld_has_is_refused() {
         Command::new(env!("CARGO_BIN_EXE_welder")).arg("precision").arg(case("film")).output().unwrap();
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.contains("scene of fluid"), "{message}");
+    assert!(message.contains("no weld"), "{message}");
 }

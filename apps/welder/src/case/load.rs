@@ -11,6 +11,7 @@ use super::nearest::{nearest, suggestion};
 use super::problem::{CaseError, Problem};
 use super::read::{parse, ron_options};
 use super::scene::Scene;
+use super::solid::SolidScene;
 use super::source::Source;
 use super::{library, set, validate};
 
@@ -42,6 +43,15 @@ pub struct FluidCase {
     pub scene: FluidScene,
 }
 
+/// A scene of elastic bodies that was read and checked.
+#[derive(Debug, Clone)]
+pub struct SolidCase {
+    /// Short name, as that of a [`Case`].
+    pub name: String,
+    /// What the scene says.
+    pub scene: SolidScene,
+}
+
 /// A case of any kind; the name before the outer bracket of its file tells which.
 #[derive(Debug, Clone)]
 pub enum Loaded {
@@ -49,6 +59,8 @@ pub enum Loaded {
     Weld(Box<Case>),
     /// `Fluid( ... )`.
     Fluid(Box<FluidCase>),
+    /// `Solid( ... )`.
+    Solid(Box<SolidCase>),
 }
 
 impl Loaded {
@@ -57,6 +69,7 @@ impl Loaded {
         match self {
             Loaded::Weld(case) => &case.scene.title,
             Loaded::Fluid(case) => &case.scene.title,
+            Loaded::Solid(case) => &case.scene.title,
         }
     }
 }
@@ -72,10 +85,11 @@ pub fn load_any(path: &Path, overrides: &[String]) -> Result<Loaded, CaseError> 
     match source.outer_name() {
         "" | "Weld" => Ok(Loaded::Weld(Box::new(weld(path, source)?))),
         "Fluid" => Ok(Loaded::Fluid(Box::new(fluid(&path, &source)?))),
+        "Solid" => Ok(Loaded::Solid(Box::new(solid(&path, &source)?))),
         other => {
             let start = source.root.span.start;
             let message = format!("the file: found an unknown kind of scene `{other}`");
-            let remedy = suggestion(other, &["Weld", "Fluid"]);
+            let remedy = suggestion(other, &["Weld", "Fluid", "Solid"]);
             Err(source.problem_at(start..start + other.len(), "", message, remedy).into())
         }
     }
@@ -88,9 +102,8 @@ pub fn load_any(path: &Path, overrides: &[String]) -> Result<Loaded, CaseError> 
 pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
     match load_any(path, overrides)? {
         Loaded::Weld(case) => Ok(*case),
-        Loaded::Fluid(case) => {
-            let reason =
-                format!("{} is a scene of fluid, which has no pool and no weld to measure", case.name);
+        Loaded::Fluid(_) | Loaded::Solid(_) => {
+            let reason = "the case is no weld: there is no pool and no seam to measure".to_string();
             let remedy = "accepted: a case of a weld; `welder run` and `welder check` take this one";
             Err(Problem::without_text(&path.display().to_string(), reason, remedy.into()).into())
         }
@@ -124,6 +137,15 @@ fn fluid(path: &Path, source: &Source) -> Result<FluidCase, CaseError> {
         return Err(CaseError { problems });
     }
     Ok(FluidCase { name: name_of(path), scene })
+}
+
+fn solid(path: &Path, source: &Source) -> Result<SolidCase, CaseError> {
+    let scene: SolidScene = parse(source)?;
+    let problems = validate::validate_solid(source, &scene);
+    if !problems.is_empty() {
+        return Err(CaseError { problems });
+    }
+    Ok(SolidCase { name: name_of(path), scene })
 }
 
 impl Case {
@@ -162,6 +184,13 @@ pub fn resolved_fluid_ron(case: &FluidCase) -> String {
     let mut scene = case.scene.clone();
     scene.output = scene.output().into();
     resolved_text(&case.name, "Fluid", &scene)
+}
+
+/// The same of a scene of elastic bodies.
+pub fn resolved_solid_ron(case: &SolidCase) -> String {
+    let mut scene = case.scene.clone();
+    scene.output = scene.output().into();
+    resolved_text(&case.name, "Solid", &scene)
 }
 
 fn resolved_text(name: &str, kind: &str, scene: &impl Serialize) -> String {

@@ -12,6 +12,7 @@ mod part;
 mod plausible;
 mod run;
 mod size;
+mod solid;
 mod stress;
 mod symmetry;
 
@@ -22,6 +23,7 @@ use super::source::Source;
 use findings::Findings;
 
 pub use fluid::validate_fluid;
+pub use solid::validate_solid;
 
 /// All findings, in the order of the sections; the materials' own come last.
 pub fn validate(

@@ -2,7 +2,7 @@
 
 use super::history_picture::draw_history;
 use super::progress::scaled;
-use super::{FluidRow, HistoryRow, ObserveError, read_history};
+use super::{FluidRow, HistoryRow, ObserveError, SolidRow, read_history};
 use serde::Serialize;
 use std::path::Path;
 
@@ -14,6 +14,8 @@ pub enum Measures {
     Weld(HistoryRow),
     /// Of a fluid.
     Fluid(FluidRow),
+    /// Of elastic bodies.
+    Solid(SolidRow),
 }
 
 impl Measures {
@@ -22,6 +24,7 @@ impl Measures {
         match self {
             Measures::Weld(row) => weld_words(row),
             Measures::Fluid(row) => row.words(),
+            Measures::Solid(row) => row.words(),
         }
     }
 
@@ -30,6 +33,7 @@ impl Measures {
         match self {
             Measures::Weld(_) => draw_history::<HistoryRow>(picture, &read_history(table)?),
             Measures::Fluid(_) => draw_history::<FluidRow>(picture, &read_history(table)?),
+            Measures::Solid(_) => draw_history::<SolidRow>(picture, &read_history(table)?),
         }
     }
 }

@@ -25,6 +25,7 @@ pub mod progress;
 pub mod scatter_picture;
 pub mod schedule;
 pub mod section_picture;
+pub mod solid_row;
 pub mod summary;
 pub mod vtu;
 pub mod whole_file;
@@ -45,8 +46,10 @@ pub use picture_data::{Pictures, SectionGrid};
 pub use pictures::PictureWriter;
 pub use progress::Progress;
 pub use schedule::Schedule;
+pub use solid_row::SolidRow;
 pub use summary::{
-    Energy, FluidEnergy, FluidOutcome, Pool, PoolSize, Status, StressEnd, Summary, Weld, WeldOutcome,
+    Energy, FluidEnergy, FluidOutcome, Pool, PoolSize, SolidEnergy, SolidOutcome, Status, StressEnd, Summary,
+    Weld, WeldOutcome,
 };
 pub use vtu::Precision;
 

@@ -116,6 +116,42 @@ pub struct FluidEnergy {
     pub residual_rel: f64,
 }
 
+/// What a scene of elastic bodies has of its own. Masses, momentum and energies of a scene in the plane are for one metre of depth.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SolidOutcome {
+    /// Mass of the bodies, the same at all times.
+    pub mass_kg: f64,
+    /// Highest speed of any particle at any time.
+    pub max_speed_m_s: f64,
+    /// Largest von Mises stress at any time.
+    pub max_von_mises_pa: f64,
+    /// Number of pieces that hang together at the end.
+    pub pieces: usize,
+    /// Momentum at the end.
+    pub momentum_kg_m_s: Vec<f64>,
+    /// Low corner of the box around the bodies at the end.
+    pub low_m: Vec<f64>,
+    /// High corner of that box.
+    pub high_m: Vec<f64>,
+    /// The energy ledger.
+    pub energy: SolidEnergy,
+}
+
+/// Where the energy of elastic bodies went.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SolidEnergy {
+    /// Stored as motion.
+    pub kinetic_j: f64,
+    /// Stored as elastic strain, taken as small.
+    pub elastic_j: f64,
+    /// Stored as height over the start.
+    pub potential_j: f64,
+    /// Taken since the start by artificial viscosity and the scheme itself.
+    pub lost_j: f64,
+    /// The same over the largest of the energies, that of the start included.
+    pub residual_rel: f64,
+}
+
 /// The largest extents of the pool at the liquidus and at the solidus.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Pool {

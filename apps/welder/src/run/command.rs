@@ -1,7 +1,7 @@
 //! `welder run`: reads a case, runs it as its kind asks, and says how it ended.
 
 use super::course::{RunError, interrupt_flag};
-use super::{fluid, weld};
+use super::{fluid, solid, weld};
 use crate::case::{self, Loaded};
 use crate::cli::{ExitStatus, RunArguments, refuse};
 use crate::observe::CheckpointError;
@@ -30,6 +30,7 @@ fn run(case: &Loaded, arguments: &RunArguments) -> ExitStatus {
     let ended = match case {
         Loaded::Weld(case) => weld::run(case, arguments),
         Loaded::Fluid(case) => fluid::run(case, arguments),
+        Loaded::Solid(case) => solid::run(case, arguments),
     };
     match ended {
         Ok(status) => status,

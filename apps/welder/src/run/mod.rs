@@ -9,6 +9,7 @@ mod report;
 mod saved;
 mod scenario;
 mod simulation;
+mod solid;
 mod watch;
 mod weld;
 
@@ -20,3 +21,4 @@ pub use report::numbers;
 pub(crate) use report::solid_scales;
 pub use scenario::Scenario;
 pub use simulation::{Records, Simulation, StepReport};
+pub(crate) use solid::solid_numbers;

@@ -36,6 +36,7 @@ pub fn read_in(folder: &Path) {
             let again = load(&again, &[]).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(again.scene.resolution, case.scene.resolution);
         }
+        Ok(Loaded::Solid(case)) => panic!("{} was of another kind", case.name),
         Ok(Loaded::Fluid(case)) => {
             match case.scene.dimension() {
                 2 => drop(FluidModel::<2>::from_case(&case)),

@@ -26,7 +26,7 @@ const MOST_BODIES: usize = 256;
 /// All findings, in the order of the sections.
 pub fn validate_fluid(source: &Source, scene: &FluidScene) -> Vec<Problem> {
     let mut findings = Findings::new(source, "");
-    let shaped = check_shape(&mut findings, scene);
+    let shaped = check_tuples(&mut findings, scene.dimension(), "domain.size_m", tuples(scene));
     check_values(&mut findings, scene);
     check_run(&mut findings, scene);
     // What follows compares numbers that must be right by themselves.
@@ -82,15 +82,18 @@ fn tuples(scene: &FluidScene) -> Vec<(String, &Axes, Range)> {
     all
 }
 
-/// Checks that all tuples are of one dimension and plausible.
-fn check_shape(findings: &mut Findings, scene: &FluidScene) -> bool {
-    let dimension = scene.dimension();
+/// Checks that tuples, given with place and range, have as many numbers as `named` has, and that these are plausible.
+pub fn check_tuples(
+    findings: &mut Findings,
+    dimension: usize,
+    named: &str,
+    tuples: Vec<(String, &Axes, Range)>,
+) -> bool {
     let mut fine = true;
-    for (field, axes, range) in tuples(scene) {
+    for (field, axes, range) in tuples {
         let count = axes.values().len();
-        let reason =
-            format!("has {count} numbers in a scene of {dimension} dimensions, as domain.size_m has it");
-        let remedy = format!("accepted: {dimension} numbers here, or another domain.size_m");
+        let reason = format!("has {count} numbers in a scene of {dimension} dimensions, as {named} has it");
+        let remedy = format!("accepted: {dimension} numbers here, or as many in {named}");
         fine &= findings.require(count == dimension, &field, &reason, remedy);
         fine &= findings.all_within(&field, axes.values(), &range);
     }
@@ -164,7 +167,13 @@ fn check_domain(findings: &mut Findings, scene: &FluidScene) {
 }
 
 /// Checks that a place lies a whole number of spacings from the origin of the lattice.
-fn check_whole(findings: &mut Findings, field: &str, value_m: f64, origin_m: f64, spacing_m: f64) -> bool {
+pub fn check_whole(
+    findings: &mut Findings,
+    field: &str,
+    value_m: f64,
+    origin_m: f64,
+    spacing_m: f64,
+) -> bool {
     let count = (value_m - origin_m) / spacing_m;
     let near = |count: f64| number(origin_m + count * spacing_m);
     let reason = format!("{} spacings of {} m, not a whole number", number(count), number(spacing_m));
@@ -269,7 +278,7 @@ fn check_overlap(findings: &mut Findings, scene: &FluidScene) {
 }
 
 /// Whether two bodies share more than `slack_m` of room.
-fn overlap(one: &Body, other: &Body, slack_m: f64) -> bool {
+pub fn overlap(one: &Body, other: &Body, slack_m: f64) -> bool {
     match (one, other) {
         (Body::Block { low_m: a, high_m: b, .. }, Body::Block { low_m: c, high_m: d, .. }) => {
             let ends = a.values().iter().zip(b.values()).zip(c.values().iter().zip(d.values()));

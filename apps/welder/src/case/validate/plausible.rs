@@ -115,6 +115,12 @@ pub const DENSITY_DIFFUSION: Range = Range { or_zero: true, ..range("", 1e-3, 0.
 pub const SHIFTING: Range = Range { or_zero: true, ..range("", 0.1, 20.0, &[]) };
 /// Rate of the pull of densities towards the particles.
 pub const DENSITY_PULL: Range = Range { or_zero: true, ..range("", 1e-5, 0.1, &[]) };
+/// Young's modulus of any elastic body.
+pub const SOLID_YOUNG: Range = range("Pa", 1.0, 1e13, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
+/// Radius of a hole.
+pub const RADIUS: Range = Range { or_zero: true, ..range("m", 1e-6, 1e3, LENGTHS) };
+/// Artificial stress of an elastic body.
+pub const ARTIFICIAL_STRESS: Range = Range { or_zero: true, ..range("", 1e-3, 1.0, &[]) };
 /// Young's modulus of a metal.
 pub const YOUNG: Range = range("Pa", 1e8, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
 /// Poisson's ratio of a metal.
