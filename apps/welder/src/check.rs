@@ -2,10 +2,12 @@
 
 mod advice;
 mod estimates;
+mod fluid;
 mod prove;
+mod solid;
 
 use crate::build::{LevelPlan, Workpiece};
-use crate::case::{self, Case};
+use crate::case::{self, Case, Loaded};
 use crate::cli::{CheckArguments, ExitStatus, refuse, say};
 use crate::model::{Model, ModelError};
 use crate::observe::Machine;
@@ -32,15 +34,26 @@ const LARGEST_SIZE_CHANGE: f64 = 0.05;
 
 /// Checks the case of `arguments` and tells what it will be.
 pub fn command(arguments: &CheckArguments) -> ExitStatus {
-    let case = match case::load(&arguments.case, &arguments.overrides) {
+    let case = match case::load_any(&arguments.case, &arguments.overrides) {
         Ok(case) => case,
         Err(error) => return refuse(&error),
     };
-    let told = Model::from_case(&case).and_then(|model| describe(&case, &model));
+    let (name, told) = match &case {
+        Loaded::Weld(case) => (&case.name, Model::from_case(case).and_then(|model| describe(case, &model))),
+        Loaded::Fluid(case) => (&case.name, fluid::describe(case)),
+        Loaded::Solid(case) => (&case.name, solid::describe(case)),
+    };
     match told {
         Ok(lines) => {
-            say(&format!("{}: the case is well formed\n{}", case.name, lines.join("\n")));
-            if arguments.prove { prove::prove(&case, arguments.json.as_deref()) } else { ExitStatus::Done }
+            say(&format!("{name}: the case is well formed\n{}", lines.join("\n")));
+            match (&case, arguments.prove) {
+                (_, false) => ExitStatus::Done,
+                (Loaded::Weld(case), true) => prove::prove(case, arguments.json.as_deref()),
+                (_, true) => {
+                    tracing::error!("--prove compares the physics of a weld; this case is none");
+                    ExitStatus::WrongInput
+                }
+            }
         }
         Err(error) => {
             tracing::error!("the case cannot be built: {error}");

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::case::{MaterialCard, library, load, read_card};
+use crate::case::{MaterialCard, library, load_any, read_card};
 use crate::cli::ExitStatus;
 use crate::verify::{Benchmark, benchmarks};
 
@@ -24,8 +24,8 @@ fn benchmarks_list() -> String {
 fn cases_list(cases: &Path) -> String {
     let mut text = "Cases\n".to_string();
     for folder in library::case_folders(cases) {
-        let title = match load(&folder, &[]) {
-            Ok(case) => case.scene.title,
+        let title = match load_any(&folder, &[]) {
+            Ok(case) => case.title().to_string(),
             Err(_) => "cannot be read; `welder check` says why".to_string(),
         };
         text += &format!("  {:<36} {title}\n", folder.display().to_string());

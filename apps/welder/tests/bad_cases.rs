@@ -6,8 +6,8 @@ use std::path::Path;
 use std::process::Command;
 
 use support::good::{MATERIAL, SCENE, spoken};
-use support::{Edit, Row, check, check_path, flow, stress};
-use support::{flow_rows, geometry_rows, material_rows, path_rows, scene_rows, stress_rows};
+use support::{Edit, Row, check, check_path, flow, fluid, stress};
+use support::{flow_rows, fluid_rows, geometry_rows, material_rows, path_rows, scene_rows, stress_rows};
 
 #[track_caller]
 fn assert_refused(code: Option<i32>, message: &str, words: &[&str]) {
@@ -78,6 +78,19 @@ fn wrong_flow() {
     assert_refused(code, &message, &["viscosity_pa_s.value", "mPa s (then write 1.3e-3)"]);
     let (code, message) = check(&good, MATERIAL, &[]);
     assert_refused(code, &message, &["Flow needs viscosity_pa_s of metal", "leave out Flow"]);
+}
+
+#[test]
+fn wrong_fluid() {
+    let (code, message) = check(fluid::GOOD, MATERIAL, &[]);
+    assert_eq!(code, Some(0), "{message}");
+    for &(from, to, at, words) in fluid_rows::FLUIDS {
+        let edit = Edit { from, to, at };
+        let scene = edit.apply(fluid::GOOD);
+        let (code, message) = check(&scene, MATERIAL, &[]);
+        assert_refused(code, &message, words);
+        assert_refused(code, &message, &[&edit.place(&scene, "scene.ron")]);
+    }
 }
 
 #[test]

@@ -16,5 +16,5 @@ pub use laws::*;
 pub use packed::{PackedFields, PackedParticle, PackedRates, PackedRows, PackedSweep};
 pub use patch::{Conduction, FindNeighbors, FluidPatch, PatchStart};
 pub use surface::*;
-pub use sweep::{FluidControls, FluidFields, FluidSweep};
+pub use sweep::{FluidControls, FluidFields, FluidSweep, Powers};
 pub use tait::{Tait, tait_density, tait_pressure, tait_sound_speed};

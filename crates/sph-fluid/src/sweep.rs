@@ -1,16 +1,21 @@
 //! The stand-alone sweep of a weakly compressible fluid.
 
+mod powers;
+
 use crate::error::{Error, require};
 use crate::{
-    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, artificial_acceleration,
-    artificial_heating, conjugate_colour_gradient, conjugate_pressure_acceleration, corrected_density_rate,
-    corrected_diffusion, density_rate, friction_heating, leading_part, marangoni_force, strain_acceleration,
-    tension_force, viscous_acceleration, volume_pressure_acceleration, wall_state, wall_velocity,
+    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, artificial_heating,
+    conjugate_colour_gradient, conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion,
+    density_rate, friction_heating, leading_part, marangoni_force, tension_force,
+    volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
+use powers::friction_accelerations;
 use rayon::prelude::*;
 use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inverse, summation};
 use sph_kernel::{Row, RowBuffer, ScaledKernel};
+
+pub use powers::Powers;
 
 /// Constants of the fluid and of the scheme.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -382,7 +387,6 @@ impl<const D: usize> FluidSweep<D> {
         let columns =
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
         let mobile = accelerations.len() + fields.copies.len();
-        let sound_speed = controls.state.reference_sound_speed();
         let even_densities = even_or(&self.even_densities, densities);
         let written = accelerations.par_iter_mut().zip(density_gradients.par_iter_mut()).enumerate();
         written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient))| {
@@ -393,14 +397,8 @@ impl<const D: usize> FluidSweep<D> {
             } else {
                 conjugate_pressure_acceleration(&row, &columns, corrections)
             };
-            let viscosity = controls.dynamic_viscosity;
-            *sum += match controls.friction {
-                Friction::Shear => viscous_acceleration(&row, &columns, seen, viscosity),
-                Friction::Strain => strain_acceleration(&row, &columns, seen, viscosity),
-            };
-            if controls.artificial_viscosity > 0.0 {
-                let coefficient = controls.artificial_viscosity;
-                *sum += artificial_acceleration(&row, &columns, &controls.kernel, sound_speed, coefficient);
+            for friction in friction_accelerations(&row, &columns, seen, controls) {
+                *sum += friction;
             }
             if controls.density_diffusion > 0.0 {
                 let fluid_row = leading_part(&row, mobile);
@@ -417,41 +415,25 @@ impl<const D: usize> FluidSweep<D> {
         densities: &[f64],
         accelerations: &mut [SVector<f64, D>],
     ) {
-        let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
+        if self.controls.surface_tension.is_none() || self.surface.is_none() {
             return;
-        };
-        let (kernel, volumes, profile) = (&self.controls.kernel, &self.volumes, surface.profile());
-        let (corrections, marangoni) = (&self.corrections, &mut self.marangoni);
+        }
+        let mut marangoni = std::mem::take(&mut self.marangoni);
         marangoni.resize(accelerations.len(), SVector::zeros());
-        let written = accelerations.par_iter_mut().zip(marangoni).enumerate();
+        let this = &*self;
+        let kernel = &this.controls.kernel;
+        let written = accelerations.par_iter_mut().zip(&mut marangoni).enumerate();
         written.for_each_init(RowBuffer::default, |buffer, (i, (sum, marangoni))| {
             *marangoni = SVector::zeros();
-            let curvature = surface.curvatures()[i];
-            let (normal, depth) = &surface.planes()[i];
-            let driven = tension.slope() != 0.0 && *depth < profile.support();
-            if curvature == 0.0 && !driven {
+            if this.feels_surface(i) == [false; 2] {
                 return;
             }
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            if curvature != 0.0 {
-                let temperature = fields.temperatures.get(i);
-                let tau = temperature.map_or(tension.reference(), |&temperature| tension.at(temperature));
-                let inwards = if corrections.is_empty() {
-                    surface.gradients()[i]
-                } else {
-                    conjugate_colour_gradient(&row, volumes, corrections)
-                };
-                *sum += tension_force(tau, curvature, &inwards) / densities[i];
-            }
-            if driven {
-                let own = corrections.get(i).copied();
-                let inverse = own.unwrap_or_else(|| regularised_inverse(&moment(&row, volumes)));
-                let slope = gradient(&row, volumes, fields.temperatures, &inverse);
-                let weight = profile.weight(depth.max(0.0));
-                *marangoni = marangoni_force(tension.slope(), weight, normal, &slope);
-                *sum += *marangoni / densities[i];
-            }
+            let [tension, driving] = this.surface_accelerations(&row, fields, densities);
+            *marangoni = driving * densities[i];
+            *sum += tension + driving;
         });
+        self.marangoni = marangoni;
     }
 
     /// Heat of friction, where it is asked for.
@@ -474,6 +456,49 @@ impl<const D: usize> FluidSweep<D> {
                     artificial_heating(&row, &columns, &controls.kernel, mobile, sound_speed, coefficient);
             }
         });
+    }
+
+    /// Whether tension pulls at a particle, and whether its change with temperature does.
+    fn feels_surface(&self, i: usize) -> [bool; 2] {
+        let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
+            return [false; 2];
+        };
+        let driven = tension.slope() != 0.0 && surface.planes()[i].1 < surface.profile().support();
+        [surface.curvatures()[i] != 0.0, driven]
+    }
+
+    /// Accelerations of a particle by tension and by its change with temperature \[m/s^2\].
+    fn surface_accelerations(
+        &self,
+        row: &Row<'_, D>,
+        fields: &FluidFields<'_, D>,
+        densities: &[f64],
+    ) -> [SVector<f64, D>; 2] {
+        let (i, mut found) = (row.index, [SVector::zeros(); 2]);
+        let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
+            return found;
+        };
+        let (volumes, profile, corrections) = (&self.volumes, surface.profile(), &self.corrections);
+        let [pulled, driven] = self.feels_surface(i);
+        if pulled {
+            let temperature = fields.temperatures.get(i);
+            let tau = temperature.map_or(tension.reference(), |&temperature| tension.at(temperature));
+            let inwards = if corrections.is_empty() {
+                surface.gradients()[i]
+            } else {
+                conjugate_colour_gradient(row, volumes, corrections)
+            };
+            found[0] = tension_force(tau, surface.curvatures()[i], &inwards) / densities[i];
+        }
+        if driven {
+            let (normal, depth) = &surface.planes()[i];
+            let own = corrections.get(i).copied();
+            let inverse = own.unwrap_or_else(|| regularised_inverse(&moment(row, volumes)));
+            let slope = gradient(row, volumes, fields.temperatures, &inverse);
+            let weight = profile.weight(depth.max(0.0));
+            found[1] = marangoni_force(tension.slope(), weight, normal, &slope) / densities[i];
+        }
+        found
     }
 
     /// Shift velocities of the next drift.

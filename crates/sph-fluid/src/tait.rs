@@ -68,6 +68,16 @@ impl Tait {
         tait_density(pressure_pa, self.reference_density, self.sound_speed_m_s, self.gamma)
     }
 
+    /// Energy of compression per mass (J/kg) at a density (kg/m^3): the integral of p/rho^2 from the density without
+    /// pressure, (c^2/gamma) ((x^(gamma - 1) - 1)/(gamma - 1) + 1/x - 1) for x = rho/rho_0.
+    #[must_use]
+    pub fn energy(&self, density: f64) -> f64 {
+        let (logarithm, less) = ((density / self.reference_density).ln(), self.gamma - 1.0);
+        // At gamma = 1 the first term is the logarithm itself.
+        let power = if less > 0.0 { (less * logarithm).exp_m1() / less } else { logarithm };
+        self.sound_speed_m_s * self.sound_speed_m_s / self.gamma * (power + (-logarithm).exp_m1())
+    }
+
     /// Density (kg/m^3) without pressure.
     #[inline]
     #[must_use]
@@ -111,6 +121,16 @@ mod tests {
         fn pressure_rises_with_density(law in any_law(), ratio in 0.5..1.5_f64, step in 1e-8..0.1_f64) {
             let density = ratio * law.reference_density;
             prop_assert!(law.pressure(density * (1.0 + step)) > law.pressure(density));
+        }
+
+        #[test]
+        fn the_slope_of_energy_is_pressure_over_the_square_of_density(law in any_law(), ratio in 0.7..1.4_f64) {
+            let density = ratio * law.reference_density;
+            let step = 1e-4 * density;
+            let slope = (law.energy(density + step) - law.energy(density - step)) / (2.0 * step);
+            let scale = law.sound_speed_m_s.powi(2) / density;
+            prop_assert!((slope - law.pressure(density) / density.powi(2)).abs() < 1e-6 * scale);
+            prop_assert!(law.energy(density) >= 0.0);
         }
 
         #[test]

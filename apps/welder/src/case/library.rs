@@ -24,10 +24,11 @@ pub fn material_names(folder: &Path) -> Vec<String> {
     entries(folder).into_iter().filter(is_card).filter_map(stem).collect()
 }
 
-/// Folders below `cases` that hold a scene.ron, also those in a folder that groups some, in alphabetical order.
+/// Folders below `cases`, and below the folders in it, that hold a scene.ron, in alphabetical order.
 pub fn case_folders(cases: &Path) -> Vec<PathBuf> {
-    let all = entries(cases).into_iter().flat_map(|path| [vec![path.clone()], entries(&path)].concat());
-    all.filter(|path| path.join("scene.ron").is_file()).collect()
+    let is_case = |path: &PathBuf| path.join("scene.ron").is_file();
+    let with_inner = |path: PathBuf| if is_case(&path) { vec![path] } else { entries(&path) };
+    entries(cases).into_iter().flat_map(with_inner).filter(is_case).collect()
 }
 
 fn entries(folder: &Path) -> Vec<PathBuf> {
@@ -48,6 +49,7 @@ mod tests {
             case_folders(&cases).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
         assert!(names.contains(&"spot-aluminium".into()), "{names:?}");
         assert!(names.contains(&"two-spots".into()), "in the group `hard`: {names:?}");
+        assert!(names.contains(&"dam-break".into()), "folders in folders: {names:?}");
         assert!(material_names(&cases.join("materials")).contains(&"aluminium-model".to_string()));
     }
 

@@ -2,16 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
+
 use super::card::{self, CardSource};
+use super::fluid::FluidScene;
 use super::material::Material;
-use super::nearest::nearest;
+use super::nearest::{nearest, suggestion};
 use super::problem::{CaseError, Problem};
 use super::read::{parse, ron_options};
 use super::scene::Scene;
+use super::solid::SolidScene;
 use super::source::Source;
 use super::{library, set, validate};
 
-/// A case that was read and checked.
+/// A weld that was read and checked.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// Short name: that of its folder, or of its file when that is not a scene.ron or case.ron; never a path.
@@ -30,14 +34,83 @@ pub struct Case {
     pub source_text: String,
 }
 
+/// A scene of pure fluid that was read and checked.
+#[derive(Debug, Clone)]
+pub struct FluidCase {
+    /// Short name, as that of a [`Case`].
+    pub name: String,
+    /// What the scene says.
+    pub scene: FluidScene,
+}
+
+/// A scene of elastic bodies that was read and checked.
+#[derive(Debug, Clone)]
+pub struct SolidCase {
+    /// Short name, as that of a [`Case`].
+    pub name: String,
+    /// What the scene says.
+    pub scene: SolidScene,
+}
+
+/// A case of any kind; the name before the outer bracket of its file tells which.
+#[derive(Debug, Clone)]
+pub enum Loaded {
+    /// `( ... )` or `Weld( ... )`.
+    Weld(Box<Case>),
+    /// `Fluid( ... )`.
+    Fluid(Box<FluidCase>),
+    /// `Solid( ... )`.
+    Solid(Box<SolidCase>),
+}
+
+impl Loaded {
+    /// What the case is, in words.
+    pub fn title(&self) -> &str {
+        match self {
+            Loaded::Weld(case) => &case.scene.title,
+            Loaded::Fluid(case) => &case.scene.title,
+            Loaded::Solid(case) => &case.scene.title,
+        }
+    }
+}
+
 /// Reads the case at `path` (a folder with a scene.ron, or a .ron file), puts the overrides (`field=value`) into it and
 /// checks everything that can be checked before particles are placed.
 ///
 /// # Errors
 /// All findings at once, each with its place, or the first one when the text cannot be parsed at all.
-pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
+pub fn load_any(path: &Path, overrides: &[String]) -> Result<Loaded, CaseError> {
     let path = scene_path(path)?;
     let source = set::apply(Source::read(&path)?, overrides)?;
+    match source.outer_name() {
+        "" | "Weld" => Ok(Loaded::Weld(Box::new(weld(path, source)?))),
+        "Fluid" => Ok(Loaded::Fluid(Box::new(fluid(&path, &source)?))),
+        "Solid" => Ok(Loaded::Solid(Box::new(solid(&path, &source)?))),
+        other => {
+            let start = source.root.span.start;
+            let message = format!("the file: found an unknown kind of scene `{other}`");
+            let remedy = suggestion(other, &["Weld", "Fluid", "Solid"]);
+            Err(source.problem_at(start..start + other.len(), "", message, remedy).into())
+        }
+    }
+}
+
+/// The same of a weld; for what only a weld can be asked.
+///
+/// # Errors
+/// As [`load_any`], and a case of another kind.
+pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
+    match load_any(path, overrides)? {
+        Loaded::Weld(case) => Ok(*case),
+        Loaded::Fluid(_) | Loaded::Solid(_) => {
+            let reason = "the case is no weld: there is no pool and no seam to measure".to_string();
+            let remedy = "accepted: a case of a weld; `welder run` and `welder check` take this one";
+            Err(Problem::without_text(&path.display().to_string(), reason, remedy.into()).into())
+        }
+    }
+}
+
+fn weld(path: PathBuf, source: Source) -> Result<Case, CaseError> {
     let scene: Scene = parse(&source)?;
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     let (cards, region_materials) = card::collect(&source, &scene, &folder)?;
@@ -55,6 +128,24 @@ pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
         region_materials,
         source_text: source.text,
     })
+}
+
+fn fluid(path: &Path, source: &Source) -> Result<FluidCase, CaseError> {
+    let scene: FluidScene = parse(source)?;
+    let problems = validate::validate_fluid(source, &scene);
+    if !problems.is_empty() {
+        return Err(CaseError { problems });
+    }
+    Ok(FluidCase { name: name_of(path), scene })
+}
+
+fn solid(path: &Path, source: &Source) -> Result<SolidCase, CaseError> {
+    let scene: SolidScene = parse(source)?;
+    let problems = validate::validate_solid(source, &scene);
+    if !problems.is_empty() {
+        return Err(CaseError { problems });
+    }
+    Ok(SolidCase { name: name_of(path), scene })
 }
 
 impl Case {
@@ -85,9 +176,27 @@ pub fn resolved_ron(case: &Case) -> String {
     }
     scene.materials =
         case.materials.iter().map(|material| (material.name.clone(), material.card.clone())).collect();
+    resolved_text(&case.name, "", &scene)
+}
+
+/// The same of a scene of fluid.
+pub fn resolved_fluid_ron(case: &FluidCase) -> String {
+    let mut scene = case.scene.clone();
+    scene.output = scene.output().into();
+    resolved_text(&case.name, "Fluid", &scene)
+}
+
+/// The same of a scene of elastic bodies.
+pub fn resolved_solid_ron(case: &SolidCase) -> String {
+    let mut scene = case.scene.clone();
+    scene.output = scene.output().into();
+    resolved_text(&case.name, "Solid", &scene)
+}
+
+fn resolved_text(name: &str, kind: &str, scene: &impl Serialize) -> String {
     let pretty = ron::ser::PrettyConfig::default().compact_arrays(true);
-    let body = ron_options().to_string_pretty(&scene, pretty).expect("a scene can be written as text");
-    format!("// The case {} as welder {} resolved it.\n{body}\n", case.name, env!("CARGO_PKG_VERSION"))
+    let body = ron_options().to_string_pretty(scene, pretty).expect("a scene can be written as text");
+    format!("// The case {name} as welder {} resolved it.\n{kind}{body}\n", env!("CARGO_PKG_VERSION"))
 }
 
 /// The scene file that the argument CASE means.

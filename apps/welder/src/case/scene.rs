@@ -15,9 +15,9 @@ pub use super::part::{Face, Faces, Part, Region};
 pub use super::resolution::{Levels, Resolution};
 pub use super::stress::{Clamped, Stress};
 
-/// The whole of a `scene.ron`.
+/// The whole of a `scene.ron` of a weld: `( ... )` or `Weld( ... )`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(rename = "Weld", deny_unknown_fields)]
 pub struct Scene {
     /// What the case is, in words; for reports and pictures.
     #[serde(default)]

@@ -93,6 +93,13 @@ impl Source {
         self.problem_at(error.offset..error.offset + width, &error.path, message, remedy.to_string())
     }
 
+    /// The name before the outer bracket, or nothing.
+    pub fn outer_name(&self) -> &str {
+        let name = &self.text[self.root.span.start..self.root.inside.start];
+        let is_word = |character: char| character.is_alphanumeric() || character == '_';
+        &name[..name.find(|character| !is_word(character)).unwrap_or(name.len())]
+    }
+
     /// Where a field stands, or the nearest value around it.
     pub fn locate(&self, field: &str) -> Located<'_> {
         locate(&self.root, field)
@@ -206,6 +213,14 @@ mod tests {
         let problem = source("(\n  part: (start_k: 20),\n)").problem("part.faces.top", "odd", "");
         assert_eq!(problem.place, "scene.ron:2:3");
         assert!(problem.message.contains("found nothing"));
+    }
+
+    #[test]
+    fn the_outer_name_tells_the_kind_of_scene() {
+        for (text, name) in [("(a: 1)", ""), ("// x\nFluid(a: 1)", "Fluid"), ("Fluid /* */ (a: 1)", "Fluid")]
+        {
+            assert_eq!(source(text).outer_name(), name, "{text}");
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@
 mod faces;
 mod findings;
 mod flow;
+mod fluid;
 mod laser;
 mod lattice;
 mod material;
@@ -11,6 +12,7 @@ mod part;
 mod plausible;
 mod run;
 mod size;
+mod solid;
 mod stress;
 mod symmetry;
 
@@ -20,6 +22,9 @@ use super::scene::Scene;
 use super::source::Source;
 use findings::Findings;
 pub(crate) use size::memory;
+
+pub use fluid::validate_fluid;
+pub use solid::validate_solid;
 
 /// All findings, in the order of the sections; the materials' own come last.
 pub fn validate(

@@ -2,7 +2,7 @@
 
 use super::history_picture::draw_history;
 use super::progress::scaled;
-use super::{HistoryRow, ObserveError, read_history};
+use super::{FluidRow, HistoryRow, ObserveError, SolidRow, read_history};
 use serde::Serialize;
 use std::path::Path;
 
@@ -12,6 +12,10 @@ use std::path::Path;
 pub enum Measures {
     /// Of a weld.
     Weld(HistoryRow),
+    /// Of a fluid.
+    Fluid(FluidRow),
+    /// Of elastic bodies.
+    Solid(SolidRow),
 }
 
 impl Measures {
@@ -19,6 +23,8 @@ impl Measures {
     pub(super) fn words(&self) -> String {
         match self {
             Measures::Weld(row) => weld_words(row),
+            Measures::Fluid(row) => row.words(),
+            Measures::Solid(row) => row.words(),
         }
     }
 
@@ -26,6 +32,8 @@ impl Measures {
     pub(super) fn draw_history(&self, picture: &Path, table: &Path) -> Result<(), ObserveError> {
         match self {
             Measures::Weld(_) => draw_history::<HistoryRow>(picture, &read_history(table)?),
+            Measures::Fluid(_) => draw_history::<FluidRow>(picture, &read_history(table)?),
+            Measures::Solid(_) => draw_history::<SolidRow>(picture, &read_history(table)?),
         }
     }
 }

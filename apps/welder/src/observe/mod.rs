@@ -11,6 +11,7 @@ mod colour_field;
 pub mod contour;
 pub mod dossier;
 pub mod error;
+pub mod fluid_row;
 pub mod frame_list;
 pub mod frames;
 pub mod history;
@@ -24,6 +25,7 @@ pub mod progress;
 pub mod scatter_picture;
 pub mod schedule;
 pub mod section_picture;
+pub mod solid_row;
 pub mod summary;
 pub mod vtu;
 pub mod whole_file;
@@ -35,6 +37,7 @@ pub use checkpoint_error::CheckpointError;
 pub use checkpoint_format::{Checkpoint, case_digest};
 pub use dossier::{Failure, write_dossier};
 pub use error::ObserveError;
+pub use fluid_row::FluidRow;
 pub use frames::FrameWriter;
 pub use history::{HistoryRow, HistoryWriter, read_history};
 pub use machine::{Machine, peak_memory_bytes, process_cpu_s};
@@ -43,7 +46,11 @@ pub use picture_data::{Pictures, SectionGrid};
 pub use pictures::PictureWriter;
 pub use progress::Progress;
 pub use schedule::Schedule;
-pub use summary::{Energy, Pool, PoolSize, Status, StressEnd, Summary, Weld, WeldOutcome};
+pub use solid_row::SolidRow;
+pub use summary::{
+    Energy, FluidEnergy, FluidOutcome, Pool, PoolSize, SolidEnergy, SolidOutcome, Status, StressEnd, Summary,
+    Weld, WeldOutcome,
+};
 pub use vtu::Precision;
 
 /// The values of one field, one entry a particle.

@@ -76,6 +76,82 @@ pub struct WeldOutcome {
     pub stress: Option<StressEnd>,
 }
 
+/// What a scene of fluid has of its own. Masses and energies of a scene in the plane are for one metre of depth.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct FluidOutcome {
+    /// Mass of the fluid, the same at all times.
+    pub mass_kg: f64,
+    /// Highest speed of any particle at any time.
+    pub max_speed_m_s: f64,
+    /// Largest change of a density at any time, relative to the one without pressure.
+    pub max_density_change_rel: f64,
+    /// Mean pressure over the volume of the fluid at the end.
+    pub mean_pressure_pa: f64,
+    /// Low corner of the box around the fluid at the end.
+    pub low_m: Vec<f64>,
+    /// High corner of that box.
+    pub high_m: Vec<f64>,
+    /// The energy ledger.
+    pub energy: FluidEnergy,
+}
+
+/// Where the energy of a fluid went.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct FluidEnergy {
+    /// Stored as motion.
+    pub kinetic_j: f64,
+    /// Stored as height over the lowest corner of the domain.
+    pub potential_j: f64,
+    /// Stored as compression.
+    pub compression_j: f64,
+    /// Stored in the surface since the start.
+    pub surface_j: f64,
+    /// Taken by friction since the start.
+    pub friction_j: f64,
+    /// Given by the change of tension with temperature since the start.
+    pub driven_j: f64,
+    /// Taken by the scheme itself since the start: what does not close.
+    pub numerics_j: f64,
+    /// The same over the largest of the other energies, that of the start included.
+    pub residual_rel: f64,
+}
+
+/// What a scene of elastic bodies has of its own. Masses, momentum and energies of a scene in the plane are for one metre of depth.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SolidOutcome {
+    /// Mass of the bodies, the same at all times.
+    pub mass_kg: f64,
+    /// Highest speed of any particle at any time.
+    pub max_speed_m_s: f64,
+    /// Largest von Mises stress at any time.
+    pub max_von_mises_pa: f64,
+    /// Number of pieces that hang together at the end.
+    pub pieces: usize,
+    /// Momentum at the end.
+    pub momentum_kg_m_s: Vec<f64>,
+    /// Low corner of the box around the bodies at the end.
+    pub low_m: Vec<f64>,
+    /// High corner of that box.
+    pub high_m: Vec<f64>,
+    /// The energy ledger.
+    pub energy: SolidEnergy,
+}
+
+/// Where the energy of elastic bodies went.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SolidEnergy {
+    /// Stored as motion.
+    pub kinetic_j: f64,
+    /// Stored as elastic strain, taken as small.
+    pub elastic_j: f64,
+    /// Stored as height over the start.
+    pub potential_j: f64,
+    /// Taken since the start by artificial viscosity and the scheme itself.
+    pub lost_j: f64,
+    /// The same over the largest of the energies, that of the start included.
+    pub residual_rel: f64,
+}
+
 /// The largest extents of the pool at the liquidus and at the solidus.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Pool {

@@ -18,7 +18,7 @@ impl Limits {
     /// What the budget of `scene` and the free memory allow.
     pub(crate) fn of(scene: &Scene) -> Self {
         let budget = &scene.budget;
-        Self { particles: budget.max_particles, memory: memory(scene), steps: budget.max_steps }
+        Self { particles: budget.max_particles, memory: memory(&scene.budget), steps: budget.max_steps }
     }
 
     /// Refuses a plan that is too large, in words.

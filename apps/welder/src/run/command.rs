@@ -1,14 +1,14 @@
 //! `welder run`: reads a case, runs it as its kind asks, and says how it ended.
 
 use super::course::{RunError, interrupt_flag};
-use super::weld;
-use crate::case::{self, Case};
+use super::{fluid, solid, weld};
+use crate::case::{self, Loaded};
 use crate::cli::{ExitStatus, RunArguments, refuse};
 use crate::observe::CheckpointError;
 
 /// Runs the case of `arguments`.
 pub fn command(arguments: &RunArguments) -> ExitStatus {
-    let case = match case::load(&arguments.case, &arguments.overrides) {
+    let case = match case::load_any(&arguments.case, &arguments.overrides) {
         Ok(case) => case,
         Err(error) => return refuse(&error),
     };
@@ -25,9 +25,14 @@ pub fn command(arguments: &RunArguments) -> ExitStatus {
     }
 }
 
-fn run(case: &Case, arguments: &RunArguments) -> ExitStatus {
+fn run(case: &Loaded, arguments: &RunArguments) -> ExitStatus {
     interrupt_flag();
-    match weld::run(case, arguments) {
+    let ended = match case {
+        Loaded::Weld(case) => weld::run(case, arguments),
+        Loaded::Fluid(case) => fluid::run(case, arguments),
+        Loaded::Solid(case) => solid::run(case, arguments),
+    };
+    match ended {
         Ok(status) => status,
         Err(RunError::Case(report)) => {
             eprint!("{report}");

@@ -1,12 +1,14 @@
 //! The scene reader.
 
+use crate::fluid;
 use crate::good::{MATERIAL, SCENE};
 use crate::memory::assert_bounded;
 use crate::mutation::{mutated, mutations};
 use crate::stress;
 use proptest::prelude::*;
 use std::path::Path;
-use welder::case::{load, resolved_ron};
+use welder::case::{Loaded, load, load_any, resolved_fluid_ron, resolved_ron};
+use welder::fluid::FluidModel;
 use welder::model::Model;
 
 /// Reads a scene beside a good card; a refusal must name a file, and a case must read back as it was written.
@@ -20,19 +22,32 @@ fn read(scene: &[u8]) {
 }
 
 pub fn read_in(folder: &Path) {
-    match load(folder, &[]) {
+    match load_any(folder, &[]) {
         Err(error) => {
             assert!(!error.problems.is_empty());
             for text in [error.report(false), error.to_string()] {
                 assert!(text.contains("scene.ron") || text.contains("metal.ron"), "{text}");
             }
         }
-        Ok(case) => {
+        Ok(Loaded::Weld(case)) => {
             let _ = Model::from_case(&case);
             let again = folder.join("case.ron");
             std::fs::write(&again, resolved_ron(&case)).unwrap();
             let again = load(&again, &[]).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(again.scene.resolution, case.scene.resolution);
+        }
+        Ok(Loaded::Solid(case)) => panic!("{} was of another kind", case.name),
+        Ok(Loaded::Fluid(case)) => {
+            match case.scene.dimension() {
+                2 => drop(FluidModel::<2>::from_case(&case)),
+                _ => drop(FluidModel::<3>::from_case(&case)),
+            }
+            let again = folder.join("case.ron");
+            std::fs::write(&again, resolved_fluid_ron(&case)).unwrap();
+            let Loaded::Fluid(again) = load_any(&again, &[]).unwrap_or_else(|error| panic!("{error}")) else {
+                panic!("another kind")
+            };
+            assert_eq!(again.scene.domain, case.scene.domain);
         }
     }
 }
@@ -98,6 +113,11 @@ proptest! {
     #[test]
     fn mutated_scenes_have_an_answer(changes in mutations()) {
         read(&mutated(SCENE.as_bytes(), &changes));
+    }
+
+    #[test]
+    fn mutated_scenes_of_fluid_have_an_answer(changes in mutations()) {
+        read(&mutated(fluid::GOOD.as_bytes(), &changes));
     }
 
     #[test]

@@ -2,6 +2,8 @@
 
 pub mod flow;
 pub mod flow_rows;
+pub mod fluid;
+pub mod fluid_rows;
 pub mod geometry_rows;
 pub mod good;
 pub mod material_rows;

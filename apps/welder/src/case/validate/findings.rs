@@ -48,6 +48,11 @@ impl<'a> Findings<'a> {
         })
     }
 
+    /// Whether nothing is wrong so far.
+    pub fn is_empty(&self) -> bool {
+        self.problems.is_empty()
+    }
+
     /// What was found.
     pub fn into_problems(self) -> Vec<Problem> {
         self.problems

@@ -49,7 +49,8 @@ fn check_size(findings: &mut Findings, scene: &Scene, axis: usize) -> bool {
     findings.require(is_whole(count), &field, &reason, remedy)
 }
 
-fn is_whole(count: f64) -> bool {
+/// Whether a number of spacings is whole but for round-off.
+pub fn is_whole(count: f64) -> bool {
     (count - count.round()).abs() < ROUND_OFF * count.max(1.0)
 }
 

@@ -83,6 +83,44 @@ pub const MELT_SOUND: Range = range("m/s", 0.1, 1e4, &[("km/s", 1e3, 0.0)]);
 pub const VISCOSITY_FACTOR: Range = range("", 1.0, 1e4, &[]);
 /// Artificial viscosity of a melt.
 pub const ARTIFICIAL_VISCOSITY: Range = Range { or_zero: true, ..range("", 1e-4, 1.0, &[]) };
+/// A length in a scene of fluid.
+pub const FLUID_LENGTH: Range = range("m", 1e-6, 1e3, LENGTHS);
+/// A coordinate in a scene of fluid.
+pub const FLUID_PLACE: Range = range("m", -1e3, 1e3, LENGTHS);
+/// Distance of particles of a fluid.
+pub const FLUID_SPACING: Range = range("m", 1e-7, 10.0, LENGTHS);
+/// Density of any liquid, and of model liquids.
+pub const LIQUID_DENSITY: Range = range("kg/m3", 0.1, 23000.0, &[]);
+/// Dynamic viscosity of any liquid.
+pub const LIQUID_VISCOSITY: Range = Range { or_zero: true, ..range("Pa s", 1e-6, 1e5, &[]) };
+/// Surface tension of any liquid, and of model liquids.
+pub const LIQUID_TENSION: Range = Range { or_zero: true, ..range("N/m", 1e-6, 10.0, &[("mN/m", 1e-3, 0.0)]) };
+/// Change of surface tension of any liquid with temperature.
+pub const LIQUID_TENSION_SLOPE: Range = range("N/(m K)", -1.0, 1.0, &[]);
+/// A component of a velocity.
+pub const VELOCITY: Range = range("m/s", -1e4, 1e4, &[]);
+/// A component of the acceleration of gravity.
+pub const GRAVITY: Range = range("m/s2", -1e5, 1e5, &[]);
+/// Artificial speed of sound in a liquid.
+pub const LIQUID_SOUND: Range = range("m/s", 1e-6, 1e5, &[("km/s", 1e3, 0.0)]);
+/// Temperature of a fluid.
+pub const FLUID_TEMPERATURE: Range = range("K", 1.0, 1e4, &[]);
+/// Slope of a temperature in space.
+pub const TEMPERATURE_SLOPE: Range = range("K/m", -1e9, 1e9, &[]);
+/// Smoothing length of a fluid over spacing.
+pub const FLUID_SMOOTHING: Range = range("", 1.2, 3.0, &[]);
+/// Density diffusion of a fluid.
+pub const DENSITY_DIFFUSION: Range = Range { or_zero: true, ..range("", 1e-3, 0.5, &[]) };
+/// Strength of the shifting of particles.
+pub const SHIFTING: Range = Range { or_zero: true, ..range("", 0.1, 20.0, &[]) };
+/// Rate of the pull of densities towards the particles.
+pub const DENSITY_PULL: Range = Range { or_zero: true, ..range("", 1e-5, 0.1, &[]) };
+/// Young's modulus of any elastic body.
+pub const SOLID_YOUNG: Range = range("Pa", 1.0, 1e13, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
+/// Radius of a hole.
+pub const RADIUS: Range = Range { or_zero: true, ..range("m", 1e-6, 1e3, LENGTHS) };
+/// Artificial stress of an elastic body.
+pub const ARTIFICIAL_STRESS: Range = Range { or_zero: true, ..range("", 1e-3, 1.0, &[]) };
 /// Young's modulus of a metal.
 pub const YOUNG: Range = range("Pa", 1e8, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
 /// Poisson's ratio of a metal.

@@ -1,7 +1,9 @@
 //! Physics, time, output and budget.
 
 use super::super::nearest::suggestion;
-use super::super::scene::{FLOW_FIELDS, Heat, OUTPUT_FIELDS, Physics, STRESS_FIELDS, Scene, Stepping};
+use super::super::scene::{
+    Budget, FLOW_FIELDS, Heat, OUTPUT_FIELDS, Output, Physics, STRESS_FIELDS, Scene, Stepping,
+};
 use super::findings::Findings;
 use super::plausible::{DURATION, SMOOTHING_RATIO, STEP_FACTOR, TOLERANCE, number};
 
@@ -12,9 +14,9 @@ const MOST_OUTPUTS: f64 = 1e6;
 pub fn check(findings: &mut Findings, scene: &Scene) {
     check_physics(findings, scene);
     let end_is_fine = findings.within("time.end_s", scene.time.end_s, &DURATION);
-    check_intervals(findings, scene, end_is_fine);
+    check_intervals(findings, &scene.output, scene.time.end_s, end_is_fine);
     check_fields(findings, scene);
-    check_budget(findings, scene);
+    check_budget(findings, &scene.budget);
 }
 
 fn check_physics(findings: &mut Findings, scene: &Scene) {
@@ -63,8 +65,8 @@ fn check_heat(findings: &mut Findings, field: &str, heat: &Heat) {
     }
 }
 
-fn check_intervals(findings: &mut Findings, scene: &Scene, end_is_fine: bool) {
-    let output = &scene.output;
+/// Checks the intervals of `output` against the end of the run.
+pub fn check_intervals(findings: &mut Findings, output: &Output, end_s: f64, end_is_fine: bool) {
     let intervals = [
         ("frame_interval_s", output.frame_interval_s),
         ("history_interval_s", output.history_interval_s),
@@ -76,34 +78,45 @@ fn check_intervals(findings: &mut Findings, scene: &Scene, end_is_fine: bool) {
         if !findings.within(&field, interval_s, &DURATION) || !end_is_fine {
             continue;
         }
-        let count = scene.time.end_s / interval_s;
-        let reason = format!("{} outputs in {} s", number(count.floor()), number(scene.time.end_s));
-        let remedy = format!("accepted: at least {} s", number(scene.time.end_s / MOST_OUTPUTS));
+        let count = end_s / interval_s;
+        let reason = format!("{} outputs in {} s", number(count.floor()), number(end_s));
+        let remedy = format!("accepted: at least {} s", number(end_s / MOST_OUTPUTS));
         findings.require(count <= MOST_OUTPUTS, &field, &reason, remedy);
     }
 }
 
 fn check_fields(findings: &mut Findings, scene: &Scene) {
-    let Some(fields) = &scene.output.fields else { return };
     let all: Vec<&str> = OUTPUT_FIELDS.iter().copied().chain(scene.own_fields()).collect();
+    check_listed(findings, &scene.output, &all, |name| {
+        if STRESS_FIELDS.contains(&name) {
+            "a field of Stress, which the scene does not list under physics"
+        } else if FLOW_FIELDS.contains(&name) {
+            "a field of Flow, which the scene does not list under physics"
+        } else {
+            "there is no such output field"
+        }
+    });
+}
+
+/// Checks that each field that `output` lists is one of `all`, and listed once; `reason` says why another is none.
+pub fn check_listed(
+    findings: &mut Findings,
+    output: &Output,
+    all: &[&str],
+    reason: impl Fn(&str) -> &'static str,
+) {
+    let Some(fields) = &output.fields else { return };
     for (index, name) in fields.iter().enumerate() {
         let place = format!("output.fields.{index}");
         let known = all.contains(&name.as_str());
         let twice = fields[..index].contains(name);
-        let reason = if STRESS_FIELDS.contains(&name.as_str()) {
-            "a field of Stress, which the scene does not list under physics"
-        } else if FLOW_FIELDS.contains(&name.as_str()) {
-            "a field of Flow, which the scene does not list under physics"
-        } else {
-            "there is no such output field"
-        };
-        findings.require(known, &place, reason, suggestion(name, &all));
+        findings.require(known, &place, reason(name), suggestion(name, all));
         findings.require(!twice, &place, "listed twice", "list each field once");
     }
 }
 
-fn check_budget(findings: &mut Findings, scene: &Scene) {
-    let budget = &scene.budget;
+/// Checks that a budget allows anything.
+pub fn check_budget(findings: &mut Findings, budget: &Budget) {
     let limits = [
         ("max_particles", Some(budget.max_particles)),
         ("max_steps", Some(budget.max_steps)),

@@ -1,7 +1,7 @@
 //! How many particles a scene needs at least, against the budget and the memory of the machine.
 
 use super::super::problem::Problem;
-use super::super::scene::{Levels, Scene};
+use super::super::scene::{Budget, Levels, Scene};
 use super::super::source::Source;
 use super::findings::Findings;
 use super::plausible::number;
@@ -12,24 +12,37 @@ const BYTES_PER_PARTICLE: f64 = 400.0;
 /// Refuses scenes that are surely too large; the exact count is known only when the particles are placed.
 pub fn check(source: &Source, scene: &Scene) -> Vec<Problem> {
     let mut findings = Findings::new(source, "");
-    let particles = least_particles(scene);
-    let most = scene.budget.max_particles;
     let coarser = |factor: f64| number(scene.resolution.spacing_m * factor.cbrt());
+    let other = "a smaller part, levels: Auto";
+    check_count(&mut findings, "resolution.spacing_m", least_particles(scene), &scene.budget, coarser, other);
+    findings.into_problems()
+}
+
+/// Refuses more particles than the budget or the memory hold. `coarser` gives the spacing that makes a factor fewer of them;
+/// `other` is what else helps.
+pub fn check_count(
+    findings: &mut Findings,
+    field: &str,
+    particles: f64,
+    budget: &Budget,
+    coarser: impl Fn(f64) -> String,
+    other: &str,
+) {
+    let most = budget.max_particles;
     let reason = format!("gives at least {particles:.2e} particles, beyond budget.max_particles = {most}");
     let remedy = format!(
-        "accepted: about {} m or more, or a larger budget.max_particles, a smaller part, levels: Auto",
+        "accepted: about {} m or more, or a larger budget.max_particles, {other}",
         coarser(particles / most as f64)
     );
-    let fits = findings.require(particles <= most as f64, "resolution.spacing_m", &reason, remedy);
-    if let (true, Some((bytes, origin))) = (fits, memory(scene)) {
+    let fits = findings.require(particles <= most as f64, field, &reason, remedy);
+    if let (true, Some((bytes, origin))) = (fits, memory(budget)) {
         let wanted = particles * BYTES_PER_PARTICLE;
         let reason = format!(
             "gives at least {particles:.2e} particles and {wanted:.2e} bytes, beyond {origin} ({bytes:.2e})"
         );
-        let remedy = format!("accepted: about {} m or more, or a smaller part", coarser(wanted / bytes));
-        findings.require(wanted <= bytes, "resolution.spacing_m", &reason, remedy);
+        let remedy = format!("accepted: about {} m or more, or {other}", coarser(wanted / bytes));
+        findings.require(wanted <= bytes, field, &reason, remedy);
     }
-    findings.into_problems()
 }
 
 /// A lower bound of the number of particles.
@@ -60,8 +73,8 @@ fn beam_m3(scene: &Scene) -> f64 {
 }
 
 /// The memory that may be used, in bytes, and who says so.
-pub(crate) fn memory(scene: &Scene) -> Option<(f64, &'static str)> {
-    match scene.budget.max_memory_bytes {
+pub(crate) fn memory(budget: &Budget) -> Option<(f64, &'static str)> {
+    match budget.max_memory_bytes {
         Some(bytes) => Some((bytes as f64, "budget.max_memory_bytes")),
         None => Some((available_bytes()?, "the free memory of this machine")),
     }
