@@ -53,13 +53,13 @@ class Run:
         # Without the time of day, which no page should have.
         said = re.findall(r"(?:WARN|ERROR) [\w:]+: (.*)", ended.stderr)
         self.said = [re.sub(re.escape(str(self.out)) + "/?", "", line) for line in said]
+        self.has_dossier = (self.out / "dossier.json").is_file()
         summary = self.out / "summary.json"
         self.summary = json.loads(summary.read_text()) if summary.is_file() else None
 
     def is_named(self):
         """Whether the run ended as something that the program has a name for, with what belongs to it."""
-        dossier = (self.out / "dossier.json").is_file()
-        return self.summary is not None and self.code in ENDS and (self.code != 3 or dossier)
+        return self.summary is not None and self.code in ENDS and (self.code != 3 or self.has_dossier)
 
     def end(self):
         return ENDS.get(self.code, f"exit code {self.code}")
