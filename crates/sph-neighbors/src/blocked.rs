@@ -1,6 +1,7 @@
 //! Pairs of particles that are sorted into cubic blocks.
 
 use crate::cell_blocks::{BlockFrame, CellBlocks, Surroundings};
+use crate::drift::Drift;
 use crate::error::{Error, check_positions};
 use crate::{PairReach, Permutation};
 use nalgebra::SVector;
@@ -22,6 +23,7 @@ pub struct BlockedPairs<const D: usize> {
     order: Permutation,
     owned: CellBlocks<D>,
     others: CellBlocks<D>,
+    drift: Drift<D>,
     /// Rows of each block, and of blocks that there were once.
     rows: Vec<RowStore<D>>,
 }
@@ -56,6 +58,7 @@ impl<const D: usize> BlockedPairs<D> {
             order: Permutation::identity(0),
             owned: CellBlocks::default(),
             others: CellBlocks::default(),
+            drift: Drift::default(),
             rows: Vec::new(),
         })
     }
@@ -78,11 +81,24 @@ impl<const D: usize> BlockedPairs<D> {
         self.others.sort(&frame, &positions[owned..]);
         self.order.refill(self.owned.ids());
         self.rows.resize_with(self.rows.len().max(self.blocks()), RowStore::default);
-        let Self { reach, owned, others, rows, .. } = self;
+        let Self { reach, owned: sorted, others, drift, rows, .. } = self;
+        let all = (0..owned).map(|point| *sorted.point(point as u32));
+        drift.begin(*reach, all.chain(positions[owned..].iter().copied()));
+        let owned = sorted;
         rows[..owned.blocks()].par_iter_mut().enumerate().for_each(|(block, rows)| {
             rows.find(&frame, owned, others, block, *reach);
         });
         Ok(())
+    }
+
+    /// Whether the list still has all pairs nearer than its reach less a `skin` \[m\], with particles at their present
+    /// positions \[m\], by the names that rows give them.
+    ///
+    /// It does as long as particles that were near each other have moved by less than the skin against each other, however
+    /// far they went together, and no others can have met. Positions that are not finite count as moved.
+    #[must_use]
+    pub fn holds(&mut self, skin: f64, position: impl Fn(usize) -> SVector<f64, D> + Sync) -> bool {
+        self.drift.holds(skin, position)
     }
 
     /// The old place of each owned particle.

@@ -4,6 +4,7 @@ mod blocked;
 mod cell_blocks;
 mod cell_frame;
 mod cell_grid;
+mod drift;
 mod error;
 mod kd_tree;
 mod levels;
