@@ -1,6 +1,6 @@
 //! All benchmarks, in the order in which they run.
 
-use super::coupled::{cycles, gallium, gate, nist_tracks, rest};
+use super::coupled::{cycles, gallium, gate, grid, nist_tracks, rest};
 use super::heat::{
     constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
     stefan, top_hat,
@@ -69,6 +69,7 @@ static BENCHMARKS: &[Benchmark] = &[
     cycles::WITH_STRESS,
     cycles::WITH_FLOW,
     gate::BENCHMARK,
+    grid::BENCHMARK,
     gallium::BENCHMARK,
     round_off::LEDGER,
     round_off::MELT_MOMENTUM,

@@ -57,10 +57,21 @@ pub struct Images<const D: usize> {
     pub parity: Vec<f64>,
     /// Share of each face's potential in the image's: low and high of each axis.
     pub wall: Vec<[[f64; 2]; D]>,
+    /// The axes along which an image is reflected.
+    reflected: Vec<[bool; D]>,
+    /// For each particle the axes along which it stands outside the body.
+    outside: Vec<[bool; D]>,
+}
+
+impl Continuation {
+    fn is_identity(&self) -> bool {
+        self.sign == 1.0 && self.shift == 0.0
+    }
 }
 
 impl<const D: usize> Images<D> {
-    /// All images that lie within `reach` of the body, which must be at least half of `reach` thick.
+    /// All images that lie within `reach` of the body, which must be at least half of `reach` thick. A particle outside the
+    /// body has none on the axis along which it is outside.
     ///
     /// `reach` \[m\] is a column: the farthest that each particle can be seen from.
     pub fn new(positions: &[SVector<f64, D>], reach: &[f64], planes: &Planes<D>) -> Self {
@@ -71,11 +82,19 @@ impl<const D: usize> Images<D> {
             mirror: Vec::new(),
             parity: Vec::new(),
             wall: Vec::new(),
+            reflected: Vec::new(),
+            outside: Vec::new(),
         };
         for (index, (position, &reach)) in positions.iter().zip(reach).enumerate() {
             images.add_all(index as u32, position, reach, planes, &continuations);
         }
         images
+    }
+
+    /// Whether a particle sees an image: not one across a plane beyond which it stands itself, so that of two particles either
+    /// both see the other's image or neither does.
+    pub fn is_seen(&self, image: usize, particle: usize) -> bool {
+        (0..D).all(|axis| !(self.reflected[image][axis] && self.outside[particle][axis]))
     }
 
     /// Number of images.
@@ -97,11 +116,17 @@ impl<const D: usize> Images<D> {
         planes: &Planes<D>,
         continuations: &[Vec<Continuation>],
     ) {
+        let outside: [bool; D] = std::array::from_fn(|axis| {
+            let [low, high] = planes.position[axis];
+            position[axis] < low || position[axis] > high
+        });
+        self.outside.push(outside);
         let in_reach: [Vec<&Continuation>; D] = std::array::from_fn(|axis| {
             let [low, high] = planes.position[axis];
+            // What stands beyond a plane itself, like melt that bulges, would be mirrored into the body.
             let near = |c: &&Continuation| {
                 let x = c.sign * position[axis] + c.shift;
-                x > low - reach && x < high + reach
+                c.is_identity() || (!outside[axis] && x > low - reach && x < high + reach)
             };
             continuations[axis].iter().filter(near).collect()
         });
@@ -123,6 +148,7 @@ impl<const D: usize> Images<D> {
         self.position
             .push(SVector::from_fn(|axis, _| chosen[axis].sign * position[axis] + chosen[axis].shift));
         self.mirror.push(chosen.map(|c| c.sign));
+        self.reflected.push(chosen.map(|c| !c.is_identity()));
         self.parity.push(chosen.iter().map(|c| c.parity).product());
         // Axis after axis: each later reflection also reflects what the earlier ones brought in.
         let mut wall = [[0.0; 2]; D];
@@ -180,6 +206,19 @@ mod tests {
     fn a_particle_far_from_every_face_has_none() {
         let planes = Planes::adiabatic_box([0.0; 2], [1.0; 2]);
         assert!(Images::new(&[Vector2::new(0.5, 0.5)], &[0.2], &planes).is_empty());
+    }
+
+    #[test]
+    fn a_particle_beyond_a_face_is_not_mirrored_into_the_body() {
+        let planes = Planes::adiabatic_box([0.0; 2], [1.0; 2]);
+        assert!(Images::new(&[Vector2::new(0.5, 1.1)], &[0.3], &planes).is_empty());
+        // Along the other axis it still is.
+        let beside = Images::new(&[Vector2::new(0.1, 1.1)], &[0.3], &planes);
+        assert_eq!(beside.position, [Vector2::new(-0.1, 1.1)]);
+        // And it sees no image across the plane that it is beyond.
+        let both = Images::new(&[Vector2::new(0.5, 1.1), Vector2::new(0.5, 0.95)], &[0.3, 0.3], &planes);
+        assert_eq!(both.position, [Vector2::new(0.5, 1.05)]);
+        assert!(!both.is_seen(0, 0) && both.is_seen(0, 1));
     }
 
     #[test]

@@ -60,6 +60,7 @@ impl<'a, const D: usize> PairTable<'a, D> {
             for &end in row(i) {
                 let (other, image, position) = match (end as usize).checked_sub(particles) {
                     None => (end, NO_IMAGE, positions[end as usize]),
+                    Some(k) if !images.is_seen(k, i) => continue,
                     Some(k) => (images.source[k], k as u32, images.position[k]),
                 };
                 let separation = positions[i] - position;

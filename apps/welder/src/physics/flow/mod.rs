@@ -40,8 +40,8 @@ const FREEZES_AT: f64 = 0.4;
 /// The fastest particle goes at most this share of a spacing between two steps of heat.
 const LARGEST_MOVE: f64 = 0.25;
 
-/// A melt particle this many spacings outside the part has left it.
-const FARTHEST_OUTSIDE: f64 = 3.0;
+/// A melt particle this many spacings outside the part has left it; a crown is lower.
+const FARTHEST_OUTSIDE: f64 = 10.0;
 
 /// The melt of a scene.
 pub struct Flow {
