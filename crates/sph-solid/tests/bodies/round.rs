@@ -25,4 +25,5 @@ fn sphere_with_a_hot_centre() {
     assert!(sphere.error < 0.10, "{}", sphere.error);
     assert!((sphere.centre - 1.0).abs() < 0.03, "{}", sphere.centre);
     assert!((sphere.growth - 1.0).abs() < 0.03, "{}", sphere.growth);
+    assert!((sphere.hoop - 1.0).abs() < 0.03, "{}", sphere.hoop);
 }

@@ -49,6 +49,11 @@ pub(in super::super) const SPHERE: Benchmark = Benchmark {
             text: "mean outward displacement from 0.85 R on, relative; resolution: spacings to the radius",
             marks: &[Mark { resolution: 8.0, error: 0.03 }, Mark { resolution: 15.0, error: 0.03 }],
         },
+        Quantity {
+            suffix: "hoop",
+            text: "hoop stress at r = R, relative: the line in r^2 nearest to the stresses from R/2 to two spacings below the surface, continued; resolution: spacings to the radius",
+            marks: &[Mark { resolution: 8.0, error: 0.03 }, Mark { resolution: 15.0, error: 0.03 }],
+        },
     ],
     resolutions: [8.0, 12.0, 15.0],
     quick: 2,
@@ -56,7 +61,12 @@ pub(in super::super) const SPHERE: Benchmark = Benchmark {
         let sphere = hot_sphere(resolution as usize, find)?;
         Ok(outcome(
             &sphere.patch,
-            vec![sphere.error, (sphere.centre - 1.0).abs(), (sphere.growth - 1.0).abs()],
+            vec![
+                sphere.error,
+                (sphere.centre - 1.0).abs(),
+                (sphere.growth - 1.0).abs(),
+                (sphere.hoop - 1.0).abs(),
+            ],
         ))
     },
 };
