@@ -52,7 +52,7 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
     name: "coupled/gallium",
     tested_crate: "welder",
     reference: "experiment of Gau and Viskanta (1986); a 2-D finite-element solution is 6.6 % off. So is conduction alone (6.8 % \
-                at 28 across): in this time convection adds 5 to 10 % to the melt",
+                at 28 across): in this time convection adds 2 to 8 % to the melt",
     quantities: &[Quantity {
         suffix: "",
         text: "root mean square of the relative errors of the melted share at tau = 0.00946, 0.01433 and 0.02113; resolution: \
