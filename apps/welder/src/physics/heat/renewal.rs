@@ -173,6 +173,7 @@ mod tests {
 
     fn workpiece() -> (Model, Workpiece) {
         let settings = ["resolution.spacing_m=100e-6".to_string()];
+        let settings = [settings.to_vec(), vec!["part.size_m=(2.0e-3,2.0e-3,0.3e-3)".to_string()]].concat();
         let case = load(&cases_folder().unwrap().join("flow-spot-aluminium"), &settings).unwrap();
         let model = Model::from_case(&case).unwrap();
         let workpiece = Workpiece::new(&model, &LevelPlan::uniform(model.counts()));
@@ -190,13 +191,13 @@ mod tests {
         RenewedRows::new(rule, pairs.normalized(), &pairs, workpiece)
     }
 
-    /// Moves some particles below the top, by up to 0.4 of the spacing.
+    /// Moves some particles below the top, by up to 0.9 of the spacing along each axis.
     fn stir(workpiece: &mut Workpiece, phase: f64) {
         let spacing = workpiece.spacing;
         for (n, position) in workpiece.particles.position.iter_mut().enumerate() {
             if position.x.hypot(position.y) < 3e-4 && position.z > -3e-4 {
                 let at = n as f64 + phase;
-                *position += 0.4 * spacing * Vector3::new(at.sin(), (2.0 * at).sin(), (3.0 * at).sin());
+                *position += 0.9 * spacing * Vector3::new(at.sin(), (2.0 * at).sin(), (3.0 * at).sin());
             }
         }
     }
@@ -210,7 +211,7 @@ mod tests {
             stir(&mut workpiece, phase);
             let changed = rows.renew(&workpiece).unwrap();
             assert!(
-                changed.len() > 100 && changed.len() < workpiece.particles.len() / 2,
+                changed.len() > 100 && changed.len() < workpiece.particles.len() * 3 / 4,
                 "{}",
                 changed.len()
             );
@@ -220,6 +221,18 @@ mod tests {
                 assert_eq!(near, found, "row {i}");
                 let close = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12 * workpiece.spacing;
                 assert!(weights.iter().zip(renewed).all(close), "row {i}: {weights:?} against {renewed:?}");
+            }
+        }
+        // Some stand beyond the faces now, and each pair still has one weight.
+        assert!(workpiece.particles.position.iter().any(|x| x.z > 0.0));
+        let weight = |i: usize, j: u32| {
+            let (near, weights) = rows.rows.row(i);
+            near.binary_search(&j).map_or(0.0, |at| weights[at])
+        };
+        for i in 0..workpiece.particles.len() {
+            for &j in rows.rows.row(i).0 {
+                let (there, back) = (weight(i, j), weight(j as usize, i as u32));
+                assert!((there - back).abs() <= 1e-14 * there.abs(), "{i} and {j}: {there:e} {back:e}");
             }
         }
         assert!(rows.renew(&workpiece).unwrap().is_empty());
