@@ -108,12 +108,13 @@ impl Neighborhood {
         Ok(Self { positions, list, images, ratio })
     }
 
-    /// Neighbours of one of them; an image counts as its source.
+    /// Neighbours of one of them; an image that it sees counts as its source.
     pub fn row(&self, member: usize) -> impl Iterator<Item = usize> + '_ {
         let owned = self.positions.len() - self.images.len();
-        let source =
-            move |end: usize| end.checked_sub(owned).map_or(end, |image| self.images.source[image] as usize);
-        self.list.row(member).iter().map(move |&end| source(end as usize))
+        self.list.row(member).iter().filter_map(move |&end| match (end as usize).checked_sub(owned) {
+            None => Some(end as usize),
+            Some(image) => self.images.is_seen(image, member).then(|| self.images.source[image] as usize),
+        })
     }
 }
 

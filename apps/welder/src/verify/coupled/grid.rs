@@ -169,3 +169,19 @@ fn model(weld: &Weld, resolution: f64) -> Result<Model, ModelError> {
     model.flow = Some(FlowModel { settings: Flow::default(), viscosity: VISCOSITY, tension });
     Ok(model)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_melted_through_keeps_its_energy_though_a_drop_leaves_it() {
+        let sheet = WELDS.into_iter().find(|weld| weld.thickness < 1.0).unwrap();
+        let mut simulation = Simulation::new(model(&sheet, 4.0).unwrap()).unwrap();
+        simulation.run_quietly().unwrap();
+        let highest = simulation.particles().position.iter().map(|x| x.z).fold(0.0, f64::max);
+        // A particle that is beyond the reach of all others: no pair may hold on to it on one side alone.
+        assert!(highest > 3.0 * simulation.model().spacing(), "{highest}");
+        assert!(simulation.ledger().residual.abs() < 1e-12, "{}", simulation.ledger().residual);
+    }
+}
