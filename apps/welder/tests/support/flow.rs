@@ -2,7 +2,7 @@
 
 use super::good::{MATERIAL, SCENE};
 
-/// A scene with flow whose only faults are its mirror planes.
+/// A scene with flow.
 pub fn scene() -> String {
     SCENE.replace("[Heat()]", "[Heat(), Flow(viscosity_factor: 20.0)]").replace("50.0e-6", "200.0e-6")
 }

@@ -6,9 +6,15 @@ use super::Row;
 pub const FLOWS: &[Row] = &[
     (
         "Symmetry, y_min",
-        "Adiabatic, y_min",
-        "Symmetry)",
-        &["part.faces.y_min", "no mirror planes", "whole part"],
+        "FixedTemperature(temperature_k: 300.0), y_min",
+        "FixedTemperature(",
+        &["part.faces.x_min", "particles that move", "accepted with Flow: Adiabatic, Symmetry"],
+    ),
+    (
+        "viscosity_factor: 20.0",
+        "schedule: Together",
+        "Together",
+        &["physics.1.schedule", "one spacing", "levels: Uniform"],
     ),
     (
         "viscosity_factor: 20.0",
@@ -20,9 +26,8 @@ pub const FLOWS: &[Row] = &[
     ("[Heat(), ", "[", "Flow(", &["physics.0", "list both: physics: [Heat(), Flow()]"]),
     (
         "[Heat(), ",
-        "[Heat(weights: Fitted), ",
+        "[Heat(weights: Plain), ",
         "[Heat(w",
-        &["physics", "fitted to particles at rest", "Normalized"],
+        &["physics", "normalized weights where the melt moves", "Fitted"],
     ),
-    ("20.0)]", "20.0), Stress()]", "Flow(", &["physics.1", "list Flow or Stress"]),
 ];
