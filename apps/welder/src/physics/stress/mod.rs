@@ -275,14 +275,16 @@ impl Physics<3> for Stress {
             Vector3::from(values)
         };
         let scalar = |column: Vec<f64>| {
-            Column::Scalar(
-                self.lattice.as_ref().map_or_else(|| column.clone(), |lattice| lattice.shown(&column)),
-            )
+            Column::Scalar(match &self.lattice {
+                Some(lattice) => lattice.shown(&column),
+                None => column,
+            })
         };
         let vector = |column: Vec<Vector3<f64>>| {
-            Column::Vector(
-                self.lattice.as_ref().map_or_else(|| column.clone(), |lattice| lattice.shown(&column)),
-            )
+            Column::Vector(match &self.lattice {
+                Some(lattice) => lattice.shown(&column),
+                None => column,
+            })
         };
         vec![
             ("displacement_m", vector(self.state.displacements[..owned].to_vec())),
