@@ -41,3 +41,11 @@ impl<const D: usize> Particles<D> {
         self.position.is_empty()
     }
 }
+
+/// Low and high corner of the box around `positions`: of none, the low one is above the high one.
+pub fn bounding_box<'a, const D: usize>(
+    positions: impl IntoIterator<Item = &'a SVector<f64, D>>,
+) -> [SVector<f64, D>; 2] {
+    let nothing = [SVector::repeat(f64::INFINITY), SVector::repeat(f64::NEG_INFINITY)];
+    positions.into_iter().fold(nothing, |[low, high], x| [low.inf(x), high.sup(x)])
+}

@@ -58,7 +58,8 @@ fn the_front_of_the_dam_break_is_that_of_martin_and_moyce() {
     let mean = errors.iter().map(|error| error.abs()).sum::<f64>() / 7.0;
     println!("dam break, 10 across: front over the experiment's, less one: {errors:.3?}, mean {mean:.3}");
     assert!(mean < 0.06, "{errors:?}");
-    assert!(errors.iter().all(|error| error.abs() < 0.12), "{errors:?}");
+    // The last is late by more than the 10 % of the others: friction by numerics, a known miss of the book's page on validation.
+    assert!(errors[..6].iter().all(|error| error.abs() < 0.1) && errors[6].abs() < 0.12, "{errors:?}");
     // What falls is what moves and what friction takes.
     let (first, last, energy) = (&rows[0], rows.last().unwrap(), &summary.outcome.energy);
     let released = first.potential_j - last.potential_j;

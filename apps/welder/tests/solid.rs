@@ -63,7 +63,8 @@ fn a_plate_swings_with_a_period_near_timoshenkos() {
     println!(
         "plate, 10 across: half a period over Timoshenko's {period:.3}, depth over twice the sag {depth:.3}"
     );
-    // Too soft at this resolution: the crate's own benchmark of this form has 1.08.
+    // Too soft at this resolution, as the crate's own benchmark of this form (1.08): 3 % is wanted, a known miss of the book's page on
+    // validation. Both numbers are held where they are.
     assert!((period - 1.0).abs() < 0.09, "{period}");
     assert!((depth - 1.0).abs() < 0.2, "{depth}");
     assert!(summary.outcome.energy.residual_rel.abs() < 0.02, "{:?}", summary.outcome.energy);

@@ -4,10 +4,10 @@ mod powers;
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, artificial_heating,
-    conjugate_colour_gradient, conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion,
-    density_rate, friction_heating, leading_part, marangoni_force, tension_force,
-    volume_pressure_acceleration, wall_state, wall_velocity,
+    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, acoustic_step,
+    artificial_heating, capillary_step, conjugate_colour_gradient, conjugate_pressure_acceleration,
+    corrected_density_rate, corrected_diffusion, density_rate, force_step, friction_heating, leading_part,
+    marangoni_force, tension_force, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use powers::friction_accelerations;
@@ -16,6 +16,9 @@ use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inver
 use sph_kernel::{Row, RowBuffer, ScaledKernel};
 
 pub use powers::Powers;
+
+/// Share of the acoustic step at rest below which a fluid is wild.
+const WILD: f64 = 1e-3;
 
 /// Constants of the fluid and of the scheme.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,6 +69,28 @@ impl<const D: usize> FluidControls<D> {
         }
     }
 
+    /// The longest steps \[s\] of kick-drift-kick that sound, friction, tension and force allow, by name, for the fastest particle
+    /// \[m/s\] and the strongest acceleration \[m/s^2\].
+    #[must_use]
+    pub fn longest_steps(&self, fastest: f64, strongest: f64) -> [(&'static str, f64); 4] {
+        let (length, density) = (self.kernel.smoothing_length(), self.state.reference_density());
+        let tension = self.surface_tension.map_or(0.0, |tension| tension.reference());
+        // Kick-drift-kick is stable to twice the acoustic limit, and as accurate there.
+        let sound = 2.0 * acoustic_step(length, self.state.reference_sound_speed(), fastest);
+        [
+            ("sound", sound),
+            ("friction", viscous_step(length, self.dynamic_viscosity / density)),
+            ("tension", capillary_step(length, density, tension)),
+            ("force", force_step(length, strongest)),
+        ]
+    }
+
+    /// A fluid that asks for steps below this \[s\], a thousandth of what its sound allows at rest, has run wild.
+    #[must_use]
+    pub fn wild_step(&self) -> f64 {
+        WILD * acoustic_step(self.kernel.smoothing_length(), self.state.reference_sound_speed(), 0.0)
+    }
+
     pub(crate) fn has_surface(&self) -> bool {
         self.surface_tension.is_some() || self.renewal.is_some()
     }
@@ -100,7 +125,7 @@ pub struct FluidFields<'a, const D: usize> {
     pub copies: &'a [u32],
     /// For each copy the sign by which each component of a vector continues: -1 on mirrored axes. Empty where no copy is a
     /// mirror image.
-    pub mirrors: &'a [SVector<f64, D>],
+    pub mirrors: &'a [[f64; D]],
     /// Where each particle's row starts in `list_neighbors`; one entry more than particles.
     pub list_starts: &'a [usize],
     /// A full list with ascending rows; entries outside the support do no harm.
@@ -118,7 +143,7 @@ impl<'a, const D: usize> FluidFields<'a, D> {
     pub(crate) fn copy_vectors(&self, column: &mut [SVector<f64, D>], fluid: usize) {
         copy_images(column, fluid, self.copies);
         for (vector, mirror) in column[fluid..].iter_mut().zip(self.mirrors) {
-            vector.component_mul_assign(mirror);
+            vector.component_mul_assign(&SVector::from(*mirror));
         }
     }
 }
@@ -285,6 +310,7 @@ impl<const D: usize> FluidSweep<D> {
         others.fill(SMatrix::identity());
         copy_images(corrections, fluid, fields.copies);
         for (correction, mirror) in corrections[fluid..].iter_mut().zip(fields.mirrors) {
+            let mirror = SVector::from(*mirror);
             correction.component_mul_assign(&(mirror * mirror.transpose()));
         }
     }

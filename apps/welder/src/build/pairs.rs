@@ -156,12 +156,6 @@ pub fn conduction_rows(
     Ok((rows, PairReport { smoothing_ratio: ratio, fit }))
 }
 
-/// Smoothing length over spacing of a scene that names none: the cheapest that holds its error with these weights and this
-/// disorder (see the book's chapter on performance).
-pub fn smoothing_ratio(named: Option<f64>, weights: Weights, disorder: f64) -> f64 {
-    named.unwrap_or_else(|| default_ratio(weights, disorder))
-}
-
 /// The planes that particles are mirrored in.
 ///
 /// The plain sum of Cleary and Monaghan (1999) ends at a free face, so that particles there miss half their neighbours;
@@ -194,9 +188,12 @@ fn image_reach(support: f64, ratio: f64, disorder: f64) -> f64 {
     near.map(|f| reach(f) - (0.5 - disorder).max(0.0) * f).fold(0.0, f64::max)
 }
 
+/// Smoothing length over spacing of a scene that names none: the cheapest that holds its error with these weights and this
+/// disorder (see the book's chapter on performance).
+///
 /// On a lattice the narrowest fit is best and cheapest; it breaks from 5 % disorder on, where 27 pairs hold.
 /// Weights without a fit need about 70 pairs unless the particles are on a lattice.
-fn default_ratio(weights: Weights, disorder: f64) -> f64 {
+pub fn default_ratio(weights: Weights, disorder: f64) -> f64 {
     match (weights, disorder > 0.0) {
         (Weights::Auto | Weights::Fitted, false) => 0.7,
         (Weights::Auto | Weights::Fitted, true) => 1.0,

@@ -100,12 +100,25 @@ fn index_finest(cells: &[Cell<3>], finest: &CellBox<3>) -> Vec<u32> {
 
 /// The plane faces of the part: every face mirrors what is inside, one of fixed temperature with the sign turned.
 pub fn planes(low: [f64; 3], high: [f64; 3], faces: &Faces) -> Planes<3> {
-    let parity = |face: Face| {
+    planes_of(low, high, faces, |face| {
         Some(match face {
             Face::FixedTemperature { .. } => Parity::Odd,
             _ => Parity::Even,
         })
-    };
+    })
+}
+
+/// The symmetry planes of the part: faces of any other kind mirror nothing.
+pub fn symmetry_planes(low: [f64; 3], high: [f64; 3], faces: &Faces) -> Planes<3> {
+    planes_of(low, high, faces, |face| (face == Face::Symmetry).then_some(Parity::Even))
+}
+
+fn planes_of(
+    low: [f64; 3],
+    high: [f64; 3],
+    faces: &Faces,
+    parity: impl Fn(Face) -> Option<Parity>,
+) -> Planes<3> {
     let mut planes = Planes::adiabatic_box(low, high);
     planes.parity = [
         [parity(faces.x_min), parity(faces.x_max)],

@@ -1,5 +1,6 @@
 //! Numbers along the axes of a scene in the plane or in space.
 
+use nalgebra::SVector;
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::ser::SerializeTuple;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -13,6 +14,14 @@ impl Axes {
     /// The numbers, 2 or 3.
     pub fn values(&self) -> &[f64] {
         &self.0
+    }
+
+    /// The numbers of a scene of `D` dimensions.
+    ///
+    /// # Panics
+    /// If they are fewer.
+    pub fn vector<const D: usize>(&self) -> SVector<f64, D> {
+        SVector::from_column_slice(&self.0[..D])
     }
 
     /// The same number along each of `dimension` axes.

@@ -45,14 +45,9 @@ pub struct FluidModel<const D: usize> {
     pub expected: Expected,
 }
 
-/// The numbers of a tuple that has `D` of them.
-pub(super) fn vector<const D: usize>(axes: &Axes) -> SVector<f64, D> {
-    SVector::from_fn(|axis, _| axes.values()[axis])
-}
-
 /// The numbers of a tuple, or zeros.
 pub(super) fn vector_or_zero<const D: usize>(axes: Option<&Axes>) -> SVector<f64, D> {
-    axes.map_or_else(SVector::zeros, vector)
+    axes.map_or_else(SVector::zeros, Axes::vector)
 }
 
 impl<const D: usize> FluidModel<D> {
@@ -70,11 +65,11 @@ impl<const D: usize> FluidModel<D> {
         };
         let temperature = scene.temperature.as_ref().map(|temperature| match temperature {
             Temperature::Uniform { temperature_k } => (*temperature_k, SVector::zeros()),
-            Temperature::Linear { origin_k, slope_k_m } => (*origin_k, vector(slope_k_m)),
+            Temperature::Linear { origin_k, slope_k_m } => (*origin_k, slope_k_m.vector()),
         });
         Ok(Self {
             low: vector_or_zero(scene.domain.low_m.as_ref()),
-            size: vector(&scene.domain.size_m),
+            size: scene.domain.size_m.vector(),
             edges: std::array::from_fn(|axis| sides[axis].map(|(_, side)| edge(side))),
             controls: controls(case, &expected)?,
             temperature,

@@ -1,6 +1,7 @@
 //! From the bodies and walls of a scene to particles at rest or under way.
 
-use super::model::{Edge, FluidModel, vector, vector_or_zero};
+use super::model::{Edge, FluidModel, vector_or_zero};
+use crate::build::{centre_of, sites};
 use crate::case::fluid::Body;
 use nalgebra::SVector;
 use sph_fluid::benchmarks::shapes::{cut_ball, rings};
@@ -44,8 +45,12 @@ impl<const D: usize> Placed<D> {
         };
         for (index, body) in model.case.scene.bodies.iter().enumerate() {
             match body {
-                Body::Block { low_m, high_m, .. } => placed.fill_block(model, vector(low_m), vector(high_m)),
-                Body::Ball { centre_m, radius_m, .. } => placed.fill_ball(model, vector(centre_m), *radius_m),
+                Body::Block { low_m, high_m, .. } => {
+                    placed.fill_block(model, low_m.vector(), high_m.vector())
+                }
+                Body::Ball { centre_m, radius_m, .. } => {
+                    placed.fill_ball(model, centre_m.vector(), *radius_m)
+                }
             }
             placed.velocities.resize(placed.positions.len(), vector_or_zero(body.velocity_m_s()));
             placed.bodies.resize(placed.positions.len(), index as u8);
@@ -125,23 +130,6 @@ impl<const D: usize> Placed<D> {
     }
 }
 
-/// Centre of a cell, in cells.
-fn centre_of<const D: usize>(site: [i64; D]) -> SVector<f64, D> {
-    SVector::from_fn(|axis, _| site[axis] as f64 + 0.5)
-}
-
-/// All cells of a box, x first.
-fn sites<const D: usize>(low: [i64; D], high: [i64; D]) -> impl Iterator<Item = [i64; D]> {
-    let counts: [i64; D] = std::array::from_fn(|axis| (high[axis] - low[axis]).max(0));
-    (0..counts.iter().product()).map(move |mut index| {
-        std::array::from_fn(|axis| {
-            let k = index % counts[axis];
-            index /= counts[axis];
-            low[axis] + k
-        })
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -195,12 +183,5 @@ mod tests {
         let moving =
             channel.walls.iter().zip(&channel.wall_velocities).all(|(x, v)| (v.x == 2.0) == (x.y > 1.0));
         assert!(moving);
-    }
-
-    #[test]
-    fn a_box_has_all_its_cells_once_x_first() {
-        let found: Vec<[i64; 3]> = sites([-1, 0, 5], [1, 2, 6]).collect();
-        assert_eq!(found, [[-1, 0, 5], [0, 0, 5], [-1, 1, 5], [0, 1, 5]]);
-        assert_eq!(sites([0, 0], [3, 0]).count(), 0);
     }
 }

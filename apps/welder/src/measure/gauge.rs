@@ -233,29 +233,6 @@ impl Gauge {
         self.cut(axis, at, |node| nodes[node])
     }
 
-    /// `field`, a value of each particle, in the layer of nodes below the top face, mirror images added; `odd` says for the axes
-    /// x and y whether it turns its sign across a mirror plane there.
-    pub fn top_of(&self, field: &[f64], odd: [bool; 2]) -> Map {
-        let mut nodes = vec![0.0; self.now.nodes.len()];
-        self.sampler.read(|particle| field[particle], &mut nodes);
-        let sign = |odd: bool, mirrored: bool| if odd && mirrored { -1.0 } else { 1.0 };
-        let plane = self.low[1];
-        let (nx, ny) = (self.counts[0], self.counts[1]);
-        let own: Vec<f64> = (0..ny).map(|j| self.low[1] + self.spacing * (j as f64 + 0.5)).collect();
-        let below = if self.mirror[1][0] { ny } else { 0 };
-        let images = own.iter().rev().map(|y| 2.0 * plane - y).filter(|_| below > 0);
-        let y: Vec<f64> = images.chain(own.iter().copied()).collect();
-        let row = |row: usize| if row < below { (below - 1 - row, true) } else { (row - below, false) };
-        let mut map = self.unfold(0, y, |at, i| {
-            let (j, mirrored) = row(at);
-            sign(odd[1], mirrored) * nodes[j * nx + i]
-        });
-        for (value, &x) in map.value.iter_mut().zip(map.x.iter().cycle()) {
-            *value *= sign(odd[0], self.mirror[0][0] && x < self.low[0]);
-        }
-        map
-    }
-
     fn cut(&self, axis: usize, at: f64, value: impl Fn(usize) -> f64) -> Map {
         let [nx, ny, nz] = self.counts;
         let along = 1 - axis;
@@ -272,17 +249,33 @@ impl Gauge {
 
     /// Temperatures of the top face at the last measure, mirror images added.
     pub fn top(&self) -> Map {
-        let nx = self.counts[0];
-        let temperature = |j: usize, i: usize| self.temperature(j * nx + i, self.now.surface[j * nx + i]);
-        let y: Vec<f64> =
-            (0..self.counts[1]).map(|j| self.low[1] + self.spacing * (j as f64 + 0.5)).collect();
-        if !self.mirror[1][0] {
-            return self.unfold(0, y, temperature);
+        self.seen_from_above([false; 2], |column| self.temperature(column, self.now.surface[column]))
+    }
+
+    /// `field`, a value of each particle, in the layer of nodes below the top face, mirror images added; `odd` says for the axes
+    /// x and y whether it turns its sign across a mirror plane there.
+    pub fn top_of(&self, field: &[f64], odd: [bool; 2]) -> Map {
+        let mut nodes = vec![0.0; self.now.nodes.len()];
+        self.sampler.read(|particle| field[particle], &mut nodes);
+        self.seen_from_above(odd, |column| nodes[column])
+    }
+
+    /// `value` of each column of nodes, unfolded at mirror planes at the low ends of x and y.
+    fn seen_from_above(&self, odd: [bool; 2], value: impl Fn(usize) -> f64) -> Map {
+        let (nx, ny, plane) = (self.counts[0], self.counts[1], self.low[1]);
+        let own: Vec<f64> = (0..ny).map(|j| plane + self.spacing * (j as f64 + 0.5)).collect();
+        let mirrored = if self.mirror[1][0] { ny } else { 0 };
+        let images = own.iter().rev().map(|y| 2.0 * plane - y).take(mirrored);
+        let y: Vec<f64> = images.chain(own.iter().copied()).collect();
+        let sign = |turns: bool| if turns { -1.0 } else { 1.0 };
+        let mut map = self.unfold(0, y, |row, i| {
+            let j = if row < mirrored { mirrored - 1 - row } else { row - mirrored };
+            sign(odd[1] && row < mirrored) * value(j * nx + i)
+        });
+        for (value, &x) in map.value.iter_mut().zip(map.x.iter().cycle()) {
+            *value *= sign(odd[0] && x < self.low[0]);
         }
-        let count = y.len();
-        let plane = self.low[1];
-        let both = y.iter().rev().map(|y| 2.0 * plane - y).chain(y.iter().copied()).collect();
-        self.unfold(0, both, |row, i| temperature(if row < count { count - 1 - row } else { row - count }, i))
+        map
     }
 
     /// A map over x on `axis` (unfolded at a mirror plane at its low end) and rows `y`.

@@ -6,6 +6,7 @@
 
 use crate::build::{Members, Workpiece, planes};
 use crate::case::scene::Faces;
+use crate::particles::bounding_box;
 use nalgebra::{SMatrix, SVector, Vector3};
 use sph_neighbors::{PairReach, SearchMethod};
 use sph_thermal::conduction::Images;
@@ -72,11 +73,7 @@ fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {
         |n: usize| (particles.position[own(n) as usize] - node(n)).norm() < ON_NODE * workpiece.spacing;
     let open: Vec<usize> = (0..count).filter(|&n| !stands(n)).collect();
     let mut everything: Vec<_> = open.iter().map(|&n| node(n)).collect();
-    let (low, high) = everything
-        .iter()
-        .fold((Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)), |(low, high), x| {
-            (low.inf(x), high.sup(x))
-        });
+    let [low, high] = bounding_box(&everything);
     let margin = Vector3::repeat(radius);
     let near = Members::within(&particles.position, low - margin, high + margin);
     everything.extend(near.gather(&particles.position));

@@ -7,6 +7,7 @@
 //! The payload is [postcard](https://postcard.jamesmunns.com): numbers go as their bits, never as text.
 
 use super::checkpoint_error::CheckpointError;
+use nalgebra::SVector;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::fs::File;
 use std::io::Read;
@@ -35,6 +36,12 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
+    /// A checkpoint of this version of the program, still without state and columns.
+    pub fn new(case_digest: u32, time_s: f64, step: u64) -> Self {
+        let version = env!("CARGO_PKG_VERSION").to_string();
+        Self { version, case_digest, time_s, step, state: Vec::new(), columns: Vec::new() }
+    }
+
     /// Stores a column under a name.
     pub fn put_column<T: Serialize>(&mut self, name: &str, values: &[T]) -> Result<(), CheckpointError> {
         self.columns.push((name.to_string(), encode(name, values)?));
@@ -47,6 +54,33 @@ impl Checkpoint {
             || CheckpointError::Content { name: name.to_string(), reason: "there is none".to_string() };
         let (_, bytes) = self.columns.iter().find(|(stored, _)| stored == name).ok_or_else(missing)?;
         decode(name, bytes)
+    }
+
+    /// A column of `count` numbers.
+    pub fn numbers(&self, name: &str, count: usize) -> Result<Vec<f64>, CheckpointError> {
+        let column: Vec<f64> = self.column(name)?;
+        let reason = format!("it is of {} numbers; the case has {count}", column.len());
+        let fits = column.len() == count;
+        fits.then_some(column).ok_or(CheckpointError::Content { name: name.into(), reason })
+    }
+
+    /// Stores a column of vectors under a name.
+    pub fn put_vectors<const D: usize>(
+        &mut self,
+        name: &str,
+        vectors: &[SVector<f64, D>],
+    ) -> Result<(), CheckpointError> {
+        self.put_column(name, &vectors.iter().flat_map(|x| x.iter().copied()).collect::<Vec<f64>>())
+    }
+
+    /// A column of `count` vectors.
+    pub fn vectors<const D: usize>(
+        &self,
+        name: &str,
+        count: usize,
+    ) -> Result<Vec<SVector<f64, D>>, CheckpointError> {
+        let flat = self.numbers(name, D * count)?;
+        Ok(flat.chunks_exact(D).map(SVector::from_column_slice).collect())
     }
 
     /// Stores the state of the run loop.

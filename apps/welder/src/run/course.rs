@@ -62,6 +62,17 @@ enum Moment {
     Finish,
 }
 
+/// Runs a scene whose particles suffice from its start, or from where `arguments` resume it, to its end.
+pub(super) fn run<const D: usize, S: Scenario<D>>(
+    plan: Plan,
+    arguments: &RunArguments,
+    build: impl FnOnce() -> Result<S, ModelError>,
+) -> Result<ExitStatus, RunError> {
+    let mut course = Course::start(plan, arguments, arguments.resume, |_| Ok(build()?))?;
+    let ended = course.go(arguments.until_s);
+    course.end(ended)
+}
+
 /// A scene under way, with all that stands around it.
 pub(super) struct Course<const D: usize, S> {
     /// The scene.

@@ -17,7 +17,7 @@ struct Saved {
 }
 
 const ENTHALPY: &str = "enthalpy_j_kg";
-const POSITION: [&str; 3] = ["position_x_m", "position_y_m", "position_z_m"];
+const POSITION: &str = "position_m";
 const PEAK_ENTHALPY: &str = "peak_enthalpy_j_kg";
 
 impl Simulation {
@@ -26,14 +26,7 @@ impl Simulation {
     /// # Errors
     /// [`CheckpointError`] when a column cannot be encoded.
     pub fn save(&self, case_digest: u32, grown: f64) -> Result<Checkpoint, CheckpointError> {
-        let mut checkpoint = Checkpoint {
-            version: env!("CARGO_PKG_VERSION").to_string(),
-            case_digest,
-            time_s: self.time,
-            step: self.steps,
-            state: Vec::new(),
-            columns: Vec::new(),
-        };
+        let mut checkpoint = Checkpoint::new(case_digest, self.time, self.steps);
         checkpoint.put_state(&Saved {
             grown,
             physics: self.physics.iter().map(|p| (p.name().to_string(), p.save())).collect(),
@@ -44,10 +37,7 @@ impl Simulation {
         checkpoint.put_column(ENTHALPY, &self.workpiece.particles.enthalpy)?;
         checkpoint.put_column(PEAK_ENTHALPY, &self.workpiece.particles.peak_enthalpy)?;
         if self.model.flow.is_some() {
-            for (axis, name) in POSITION.into_iter().enumerate() {
-                let column: Vec<f64> = self.workpiece.particles.position.iter().map(|x| x[axis]).collect();
-                checkpoint.put_column(name, &column)?;
-            }
+            checkpoint.put_vectors(POSITION, &self.workpiece.particles.position)?;
         }
         Ok(checkpoint)
     }
@@ -67,29 +57,17 @@ impl Simulation {
     pub fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), CheckpointError> {
         let wrong = |reason: String| CheckpointError::Content { name: "state".into(), reason };
         let saved: Saved = checkpoint.state()?;
-        let enthalpy: Vec<f64> = checkpoint.column(ENTHALPY)?;
-        let peak_enthalpy: Vec<f64> = checkpoint.column(PEAK_ENTHALPY)?;
         let count = self.workpiece.particles.len();
-        if enthalpy.len() != count
-            || peak_enthalpy.len() != count
-            || saved.physics.len() != self.physics.len()
-        {
-            return Err(wrong(format!("it is of {} particles; the case has {count}", enthalpy.len())));
+        let (enthalpy, peak_enthalpy) =
+            (checkpoint.numbers(ENTHALPY, count)?, checkpoint.numbers(PEAK_ENTHALPY, count)?);
+        let (found, listed) = (saved.physics.len(), self.physics.len());
+        if found != listed {
+            return Err(wrong(format!("it is of {found} physics; the case lists {listed}")));
         }
         self.workpiece.particles.enthalpy = enthalpy;
         self.workpiece.particles.peak_enthalpy = peak_enthalpy;
         if self.model.flow.is_some() {
-            for (axis, name) in POSITION.into_iter().enumerate() {
-                let column: Vec<f64> = checkpoint.column(name)?;
-                if column.len() != count {
-                    return Err(wrong(format!(
-                        "{name} is of {} particles; the case has {count}",
-                        column.len()
-                    )));
-                }
-                let positions = self.workpiece.particles.position.iter_mut();
-                positions.zip(column).for_each(|(position, x)| position[axis] = x);
-            }
+            self.workpiece.particles.position = checkpoint.vectors(POSITION, count)?;
         }
         for (physics, (name, state)) in self.physics.iter_mut().zip(&saved.physics) {
             if physics.name() != name {

@@ -1,6 +1,6 @@
 //! A scene of elastic bodies as the run loop sees it.
 
-use super::course::{Course, Plan, RunError};
+use super::course::{self, Plan, RunError};
 use super::{Scenario, StepReport};
 use crate::case::{self, SolidCase};
 use crate::cli::{ExitStatus, RunArguments};
@@ -12,23 +12,16 @@ use std::collections::BTreeMap;
 
 /// Runs the case, in the plane or in space.
 pub(super) fn run(case: &SolidCase, arguments: &RunArguments) -> Result<ExitStatus, RunError> {
-    match case.scene.dimension() {
-        2 => run_in::<2>(case, arguments),
-        _ => run_in::<3>(case, arguments),
-    }
-}
-
-fn run_in<const D: usize>(case: &SolidCase, arguments: &RunArguments) -> Result<ExitStatus, RunError> {
     let plan = Plan {
         name: case.name.clone(),
         resolved: case::resolved_solid_ron(case),
         output: case.scene.output(),
         max_steps: case.scene.budget.max_steps,
     };
-    let build = |_: Option<&_>| Ok(SolidBody::<D>::new(SolidModel::from_case(case)?)?);
-    let mut course = Course::start(plan, arguments, arguments.resume, build)?;
-    let ended = course.go(arguments.until_s);
-    course.end(ended)
+    match case.scene.dimension() {
+        2 => course::run(plan, arguments, || SolidBody::<2>::new(SolidModel::from_case(case)?)),
+        _ => course::run(plan, arguments, || SolidBody::<3>::new(SolidModel::from_case(case)?)),
+    }
 }
 
 impl<const D: usize> Scenario<D> for SolidBody<D> {

@@ -3,6 +3,7 @@
 use super::model::SolidModel;
 use crate::model::ModelError;
 use crate::observe::{Checkpoint, CheckpointError};
+use crate::particles::bounding_box;
 use crate::physics::{Column, Cost, Failure};
 use crate::run::StepReport;
 use nalgebra::{SMatrix, SVector};
@@ -244,12 +245,7 @@ impl<const D: usize> SolidBody<D> {
     /// Low and high corner of the box around the bodies' cells \[m\].
     pub fn bounds(&self) -> [SVector<f64, D>; 2] {
         let half = SVector::<f64, D>::repeat(0.5 * self.model.case.scene.spacing_m);
-        let mut low = SVector::<f64, D>::repeat(f64::INFINITY);
-        let mut high = SVector::<f64, D>::repeat(f64::NEG_INFINITY);
-        for position in &self.patch.positions {
-            low = low.inf(position);
-            high = high.sup(position);
-        }
+        let [low, high] = bounding_box(&self.patch.positions);
         [low - half, high + half]
     }
 
@@ -320,20 +316,11 @@ impl<const D: usize> SolidBody<D> {
     /// # Errors
     /// [`CheckpointError`] when a column cannot be encoded.
     pub fn save(&self, case_digest: u32) -> Result<Checkpoint, CheckpointError> {
-        let mut checkpoint = Checkpoint {
-            version: env!("CARGO_PKG_VERSION").to_string(),
-            case_digest,
-            time_s: self.time,
-            step: self.steps,
-            state: Vec::new(),
-            columns: Vec::new(),
-        };
+        let mut checkpoint = Checkpoint::new(case_digest, self.time, self.steps);
         let limits = self.limits.clone();
         checkpoint.put_state(&Saved { limits, pair_visits: self.cost.pair_visits, records: self.records })?;
-        let flat =
-            |column: &[SVector<f64, D>]| column.iter().flat_map(|x| x.iter().copied()).collect::<Vec<f64>>();
-        checkpoint.put_column("position_m", &flat(&self.patch.positions))?;
-        checkpoint.put_column("velocity_m_s", &flat(&self.patch.velocities))?;
+        checkpoint.put_vectors("position_m", &self.patch.positions)?;
+        checkpoint.put_vectors("velocity_m_s", &self.patch.velocities)?;
         checkpoint.put_column("density_kg_m3", &self.patch.densities)?;
         let tensor =
             |s: &SymmetricTensor<D>| s.in_plane.iter().copied().chain([s.out_of_plane]).collect::<Vec<f64>>();
@@ -348,19 +335,13 @@ impl<const D: usize> SolidBody<D> {
     /// [`CheckpointError`] when it is of other particles.
     pub fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), CheckpointError> {
         let count = self.patch.positions.len();
-        let column = |name: &str, width: usize| -> Result<Vec<f64>, CheckpointError> {
-            let column: Vec<f64> = checkpoint.column(name)?;
-            let reason = format!("it is of {} numbers; the case has {}", column.len(), count * width);
-            let fits = column.len() == count * width;
-            fits.then_some(column).ok_or(CheckpointError::Content { name: name.into(), reason })
-        };
         let saved: Saved = checkpoint.state()?;
-        let (positions, velocities) = (column("position_m", D)?, column("velocity_m_s", D)?);
-        let (densities, deviators) = (column("density_kg_m3", 1)?, column("deviator_pa", D * D + 1)?);
-        let vectors = |flat: &[f64]| flat.chunks_exact(D).map(SVector::from_column_slice).collect();
-        self.patch.positions = vectors(&positions);
-        self.patch.velocities = vectors(&velocities);
-        self.patch.densities = densities;
+        let (positions, velocities) =
+            (checkpoint.vectors("position_m", count)?, checkpoint.vectors("velocity_m_s", count)?);
+        let densities = checkpoint.numbers("density_kg_m3", count)?;
+        let deviators = checkpoint.numbers("deviator_pa", count * (D * D + 1))?;
+        (self.patch.positions, self.patch.velocities, self.patch.densities) =
+            (positions, velocities, densities);
         let tensor = |flat: &[f64]| SymmetricTensor {
             in_plane: SMatrix::from_column_slice(&flat[..D * D]),
             out_of_plane: flat[D * D],

@@ -1,5 +1,6 @@
 //! From the case of elastic bodies to particles and controls.
 
+use crate::build::{centre_of, sites};
 use crate::case::SolidCase;
 use crate::case::axes::Axes;
 use crate::case::solid::{Form, Solid};
@@ -31,10 +32,6 @@ pub struct SolidModel<const D: usize> {
     pub held: Vec<bool>,
 }
 
-fn vector<const D: usize>(axes: &Axes) -> SVector<f64, D> {
-    SVector::from_fn(|axis, _| axes.values()[axis])
-}
-
 impl<const D: usize> SolidModel<D> {
     /// The model of a case of `D` dimensions.
     ///
@@ -54,7 +51,7 @@ impl<const D: usize> SolidModel<D> {
         let mut model = Self {
             material: Material::elastic(moduli, scene.material.density_kg_m3)?,
             controls: UpdatedControls { artificial_stress, ..chosen },
-            gravity: scene.gravity_m_s2.as_ref().map_or_else(SVector::zeros, vector),
+            gravity: scene.gravity_m_s2.as_ref().map_or_else(SVector::zeros, Axes::vector),
             wave_speed: pressure_wave_speed(&moduli, scene.material.density_kg_m3),
             positions: Vec::new(),
             velocities: Vec::new(),
@@ -64,12 +61,12 @@ impl<const D: usize> SolidModel<D> {
         };
         for (index, body) in scene.bodies.iter().enumerate() {
             model.positions.extend(places::<D>(body, scene.spacing_m));
-            let velocity = body.velocity_m_s().map_or_else(SVector::zeros, vector);
+            let velocity = body.velocity_m_s().map_or_else(SVector::zeros, Axes::vector);
             model.velocities.resize(model.positions.len(), velocity);
             model.bodies.resize(model.positions.len(), index as u8);
         }
         let boxes: Vec<[SVector<f64, D>; 2]> =
-            scene.held.iter().map(|hold| [vector(&hold.low_m), vector(&hold.high_m)]).collect();
+            scene.held.iter().map(|hold| [hold.low_m.vector(), hold.high_m.vector()]).collect();
         let inside = |x: &SVector<f64, D>| {
             boxes.iter().any(|[low, high]| (0..D).all(|axis| low[axis] <= x[axis] && x[axis] <= high[axis]))
         };
@@ -80,32 +77,20 @@ impl<const D: usize> SolidModel<D> {
 
 /// Particles of a body: centres of the cells of a block, or those of a lattice about the centre that lie between the radii.
 fn places<const D: usize>(body: &Solid, spacing: f64) -> Vec<SVector<f64, D>> {
+    let centres = |counts: [i64; D], low: SVector<f64, D>| {
+        sites([0; D], counts).map(move |site| low + centre_of(site) * spacing)
+    };
     match body {
         Solid::Block { low_m, high_m, .. } => {
-            let (low, high) = (vector::<D>(low_m), vector::<D>(high_m));
-            cells((high - low).map(|length| (length / spacing).round() as usize), low, spacing).collect()
+            let (low, high) = (low_m.vector::<D>(), high_m.vector::<D>());
+            centres((high - low).map(|length| (length / spacing).round() as i64).into(), low).collect()
         }
         Solid::Ring { centre_m, inner_radius_m, outer_radius_m, .. } => {
-            let (centre, across) = (vector::<D>(centre_m), (outer_radius_m / spacing).ceil());
+            let (centre, across) = (centre_m.vector::<D>(), (outer_radius_m / spacing).ceil());
             let low = centre - SVector::repeat(across * spacing);
             let inside =
                 |x: &SVector<f64, D>| (*inner_radius_m..*outer_radius_m).contains(&(x - centre).norm());
-            cells(SVector::repeat(2 * across as usize), low, spacing).filter(inside).collect()
+            centres([2 * across as i64; D], low).filter(inside).collect()
         }
     }
-}
-
-/// Centres of cells, x first.
-fn cells<const D: usize>(
-    counts: SVector<usize, D>,
-    low: SVector<f64, D>,
-    spacing: f64,
-) -> impl Iterator<Item = SVector<f64, D>> {
-    (0..counts.iter().product()).map(move |mut index: usize| {
-        low + SVector::from_fn(|axis, _| {
-            let k = index % counts[axis];
-            index /= counts[axis];
-            (k as f64 + 0.5) * spacing
-        })
-    })
 }

@@ -11,6 +11,7 @@ mod command;
 mod coupled;
 pub mod exact;
 mod heat;
+mod known;
 mod melt;
 mod neighbors;
 mod order;

@@ -1,10 +1,11 @@
 //! Scenes of benchmarks, built without a case file.
 
 use super::BenchmarkError;
-use crate::case::scene::{Faces, Heat, Levels, Resolution, Stepping};
-use crate::model::{Model, ModelError, Start};
+use crate::case::scene::{Faces, Flow, Heat, Levels, Resolution, Stepping};
+use crate::model::{FlowModel, Model, ModelError, Start};
 use crate::run::Simulation;
 use laser_source::{Absorption, Beam, LaserSource, Path, Pulse};
+use sph_fluid::SurfaceTension;
 use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
 use std::sync::Arc;
 
@@ -40,6 +41,15 @@ pub fn reference_aluminium() -> ThermalMaterial {
         conductivity_solid: constant(200.0),
         conductivity_liquid: constant(95.0),
     }
+}
+
+/// The flow of that aluminium: twenty times its viscosity, and the change of its tension with temperature times `slope`.
+///
+/// # Errors
+/// [`ModelError`] when the tension is refused.
+pub(super) fn reference_flow(slope: f64) -> Result<FlowModel, ModelError> {
+    let tension = SurfaceTension::new(0.9, -3.5e-4 * slope, reference_aluminium().liquidus)?;
+    Ok(FlowModel { settings: Flow::default(), viscosity: 2.6e-2, tension })
 }
 
 pub(super) fn constant(value: f64) -> Table {

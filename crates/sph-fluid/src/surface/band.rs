@@ -167,7 +167,7 @@ impl<const D: usize> SurfaceBand<D> {
         });
         copy_images(planes, fluid, fields.copies);
         for ((normal, _), mirror) in planes[fluid..].iter_mut().zip(fields.mirrors) {
-            normal.component_mul_assign(mirror);
+            normal.component_mul_assign(&SVector::from(*mirror));
         }
     }
 

@@ -57,8 +57,8 @@ pub struct Images<const D: usize> {
     pub parity: Vec<f64>,
     /// Share of each face's potential in the image's: low and high of each axis.
     pub wall: Vec<[[f64; 2]; D]>,
-    /// The axes along which an image is reflected.
-    reflected: Vec<[bool; D]>,
+    /// What is added to each component of the source's position after the mirror \[m\].
+    shift: Vec<[f64; D]>,
     /// For each particle the axes along which it stands outside the body.
     outside: Vec<[bool; D]>,
 }
@@ -82,7 +82,7 @@ impl<const D: usize> Images<D> {
             mirror: Vec::new(),
             parity: Vec::new(),
             wall: Vec::new(),
-            reflected: Vec::new(),
+            shift: Vec::new(),
             outside: Vec::new(),
         };
         for (index, (position, &reach)) in positions.iter().zip(reach).enumerate() {
@@ -94,7 +94,13 @@ impl<const D: usize> Images<D> {
     /// Whether a particle sees an image: not one across a plane beyond which it stands itself, so that of two particles either
     /// both see the other's image or neither does.
     pub fn is_seen(&self, image: usize, particle: usize) -> bool {
-        (0..D).all(|axis| !(self.reflected[image][axis] && self.outside[particle][axis]))
+        let reflected = |axis: usize| self.mirror[image][axis] != 1.0 || self.shift[image][axis] != 0.0;
+        (0..D).all(|axis| !(reflected(axis) && self.outside[particle][axis]))
+    }
+
+    /// Where an image stands when its source is at `x` \[m\].
+    pub fn place(&self, image: usize, x: &SVector<f64, D>) -> SVector<f64, D> {
+        SVector::from_fn(|axis, _| self.mirror[image][axis] * x[axis] + self.shift[image][axis])
     }
 
     /// Number of images.
@@ -145,10 +151,9 @@ impl<const D: usize> Images<D> {
 
     fn add(&mut self, source: u32, position: &SVector<f64, D>, chosen: [&Continuation; D]) {
         self.source.push(source);
-        self.position
-            .push(SVector::from_fn(|axis, _| chosen[axis].sign * position[axis] + chosen[axis].shift));
         self.mirror.push(chosen.map(|c| c.sign));
-        self.reflected.push(chosen.map(|c| !c.is_identity()));
+        self.shift.push(chosen.map(|c| c.shift));
+        self.position.push(self.place(self.source.len() - 1, position));
         self.parity.push(chosen.iter().map(|c| c.parity).product());
         // Axis after axis: each later reflection also reflects what the earlier ones brought in.
         let mut wall = [[0.0; 2]; D];

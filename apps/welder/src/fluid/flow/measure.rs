@@ -2,6 +2,7 @@
 
 use super::FluidFlow;
 use crate::fluid::FluidLedger;
+use crate::particles::bounding_box;
 use crate::physics::Column;
 use nalgebra::SVector;
 
@@ -46,12 +47,7 @@ impl<const D: usize> FluidFlow<D> {
     /// Low and high corner of the box around the fluid's cells \[m\].
     pub fn bounds(&self) -> [SVector<f64, D>; 2] {
         let half = SVector::<f64, D>::repeat(0.5 * self.model.spacing());
-        let mut low = SVector::<f64, D>::repeat(f64::INFINITY);
-        let mut high = SVector::<f64, D>::repeat(f64::NEG_INFINITY);
-        for position in self.positions() {
-            low = low.inf(position);
-            high = high.sup(position);
-        }
+        let [low, high] = bounding_box(self.positions());
         [low - half, high + half]
     }
 

@@ -13,7 +13,7 @@ use crate::physics::{Cost, Failure};
 use crate::run::StepReport;
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
-use sph_fluid::{FluidFields, FluidSweep, Powers, acoustic_step, capillary_step, force_step, viscous_step};
+use sph_fluid::{FluidFields, FluidSweep, Powers};
 use sph_integrate::{StepLimit, smallest};
 use sph_neighbors::{NeighborList, PairReach, SearchMethod};
 use std::collections::BTreeMap;
@@ -26,9 +26,6 @@ const STRIDE_MOVE: f64 = 0.3;
 
 /// A stride of more steps than this ends as well, so that the ledger samples work and the run loop gets its turn.
 const MOST_STEPS: u32 = 20;
-
-/// A fluid that asks for steps below this share of what its sound allows at rest has run wild.
-const SHORTEST_STEP: f64 = 1e-3;
 
 /// Largest of what was measured over a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -245,7 +242,7 @@ impl<const D: usize> FluidFlow<D> {
         for _ in 0..MOST_STEPS {
             let limit = self.step_limit();
             let left = stop - self.time;
-            if limit.dt_s.is_nan() || limit.dt_s < self.shortest_step() {
+            if limit.dt_s.is_nan() || limit.dt_s < self.model.controls.wild_step() {
                 return Err(self.wild());
             }
             let parts = (left / limit.dt_s).ceil().max(1.0);
@@ -286,25 +283,13 @@ impl<const D: usize> FluidFlow<D> {
     /// The limits of sound, friction, tension, force and motion at a largest speed \[m/s\].
     pub fn step_limits(&self, fastest: f64) -> [StepLimit; 5] {
         let (controls, spacing) = (&self.model.controls, self.model.spacing());
-        let (length, density) = (controls.kernel.smoothing_length(), self.model.density());
         let strongest = largest(self.accelerations.iter());
-        let tension = controls.surface_tension.map_or(0.0, |tension| tension.reference());
+        let [sound, friction, tension, force] =
+            controls.longest_steps(fastest, strongest).map(|(name, dt_s)| StepLimit { name, dt_s });
         // Shifts are at most a quarter of their strength.
         let shifting = 1.0 + 0.25 * controls.renewal.map_or(0.0, |renewal| renewal.shifting);
-        // Kick-drift-kick is stable to twice the acoustic limit, and as accurate there.
-        let sound = 2.0 * acoustic_step(length, self.model.sound_speed(), fastest);
-        [
-            StepLimit { name: "sound", dt_s: sound },
-            StepLimit { name: "friction", dt_s: viscous_step(length, controls.dynamic_viscosity / density) },
-            StepLimit { name: "tension", dt_s: capillary_step(length, density, tension) },
-            StepLimit { name: "force", dt_s: force_step(length, strongest) },
-            StepLimit { name: "motion", dt_s: LARGEST_MOVE * spacing / (shifting * fastest) },
-        ]
-    }
-
-    fn shortest_step(&self) -> f64 {
-        let length = self.model.controls.kernel.smoothing_length();
-        SHORTEST_STEP * acoustic_step(length, self.model.sound_speed(), 0.0)
+        let motion = StepLimit { name: "motion", dt_s: LARGEST_MOVE * spacing / (shifting * fastest) };
+        [sound, friction, tension, force, motion]
     }
 
     fn record(&mut self) {

@@ -1,26 +1,22 @@
 //! The melt and the solid around it over one step of heat: columns of their own, kick-drift-kick.
 
-use super::copies::{Image, Mirror, images};
 use super::state::State;
 use crate::particles::Particles;
 use nalgebra::Vector3;
-use sph_fluid::{
-    FluidControls, FluidFields, FluidSweep, acoustic_step, capillary_step, force_step, viscous_step,
-};
+use sph_fluid::{FluidControls, FluidFields, FluidSweep};
 use sph_neighbors::{NeighborList, PairReach, SearchMethod};
+use sph_thermal::conduction::{Images, Planes};
 use std::collections::HashSet;
 
 /// Share of the spacing that two particles may close in by before the list is made anew.
 const SKIN: f64 = 0.4;
 
-/// A melt that asks for steps below this share of what its sound allows at rest has run wild.
-const SHORTEST_STEP: f64 = 1e-3;
-
 /// Melt, and the solid that it can reach.
 pub(super) struct Melt {
     controls: FluidControls<3>,
     spacing: f64,
-    mirrors: Vec<Mirror>,
+    /// The symmetry planes.
+    planes: Planes<3>,
     /// Mass of a particle \[kg\]: one material and one spacing.
     mass: f64,
     /// A sweep that has seen no particles, to begin a step of heat with.
@@ -30,10 +26,8 @@ pub(super) struct Melt {
     members: Vec<u32>,
     /// Solid that melt can reach in this step of heat, images of it included.
     walls: Walls,
-    /// Images of melt.
-    copies: Vec<Image>,
-    sources: Vec<u32>,
-    signs: Vec<Vector3<f64>>,
+    /// Images of melt in the symmetry planes.
+    images: Images<3>,
     /// Columns of melt, its images, and walls.
     positions: Vec<Vector3<f64>>,
     velocities: Vec<Vector3<f64>>,
@@ -55,7 +49,7 @@ impl Melt {
     pub fn new(
         controls: FluidControls<3>,
         spacing: f64,
-        mirrors: Vec<Mirror>,
+        planes: Planes<3>,
     ) -> Result<Self, sph_fluid::Error> {
         let fresh = FluidSweep::new(controls)?;
         Ok(Self {
@@ -64,12 +58,10 @@ impl Melt {
             mass: controls.state.reference_density() * spacing.powi(3),
             controls,
             spacing,
-            mirrors,
+            images: Images::new(&[], &[], &planes),
+            planes,
             members: Vec::new(),
             walls: Walls::default(),
-            copies: Vec::new(),
-            sources: Vec::new(),
-            signs: Vec::new(),
             positions: Vec::new(),
             velocities: Vec::new(),
             densities: Vec::new(),
@@ -109,7 +101,7 @@ impl Melt {
         let mut left = step;
         while left > 0.0 {
             let longest = self.longest_step();
-            if longest < self.shortest_step() {
+            if longest < self.controls.wild_step() {
                 break;
             }
             let count = (left / longest).ceil();
@@ -154,10 +146,10 @@ impl Melt {
         let walls: Vec<usize> = (0..particles.len()).filter(is_wall).collect();
         self.walls.positions = walls.iter().map(|&i| particles.position[i]).collect();
         self.walls.temperatures = walls.iter().map(|&i| temperatures[i]).collect();
-        for image in images(&self.walls.positions, &self.mirrors, reach) {
-            let source = image.source as usize;
-            self.walls.positions.push(image.place(&self.walls.positions[source]));
-            self.walls.temperatures.push(self.walls.temperatures[source]);
+        let images = Images::new(&self.walls.positions, &vec![reach; walls.len()], &self.planes);
+        self.walls.positions.extend_from_slice(&images.position);
+        for source in images.source {
+            self.walls.temperatures.push(self.walls.temperatures[source as usize]);
         }
     }
 
@@ -182,11 +174,10 @@ impl Melt {
         let reach = self.controls.kernel.support_radius() + SKIN * self.spacing;
         self.listed.clear();
         self.listed.extend_from_slice(&self.positions[..fluid]);
-        self.copies = images(&self.listed, &self.mirrors, reach);
-        self.sources = self.copies.iter().map(|image| image.source).collect();
-        self.signs = self.copies.iter().map(|image| image.signs).collect();
+        // Melt sees a wall's image at the list's reach, and that sees melt as far again.
+        self.images = Images::new(&self.listed, &vec![2.0 * reach; fluid], &self.planes);
         let (mobile, all) =
-            (fluid + self.copies.len(), fluid + self.copies.len() + self.walls.positions.len());
+            (fluid + self.images.len(), fluid + self.images.len() + self.walls.positions.len());
         self.positions.truncate(fluid);
         self.positions.resize(mobile, Vector3::zeros());
         self.positions.extend_from_slice(&self.walls.positions);
@@ -195,13 +186,13 @@ impl Melt {
         self.densities.truncate(fluid);
         self.densities.resize(all, self.reference_density());
         self.temperatures.truncate(fluid);
-        for image in &self.copies {
-            self.temperatures.push(self.temperatures[image.source as usize]);
+        for &source in &self.images.source {
+            self.temperatures.push(self.temperatures[source as usize]);
         }
         self.temperatures.extend_from_slice(&self.walls.temperatures);
         self.masses.clear();
         self.masses.resize(all, self.mass);
-        self.move_copies();
+        self.move_images();
         // Positions that are no numbers any more find nobody; the run is stopped after this step.
         SearchMethod::default()
             .find(&self.positions, PairReach::Uniform(reach))
@@ -209,12 +200,12 @@ impl Melt {
     }
 
     /// Images follow what they show.
-    fn move_copies(&mut self) {
+    fn move_images(&mut self) {
         let fluid = self.members.len();
-        for (k, image) in self.copies.iter().enumerate() {
-            let source = image.source as usize;
-            self.positions[fluid + k] = image.place(&self.positions[source]);
-            self.velocities[fluid + k] = self.velocities[source].component_mul(&image.signs);
+        for (image, &source) in self.images.source.iter().enumerate() {
+            let (source, mirror) = (source as usize, Vector3::from(self.images.mirror[image]));
+            self.positions[fluid + image] = self.images.place(image, &self.positions[source]);
+            self.velocities[fluid + image] = self.velocities[source].component_mul(&mirror);
         }
     }
 
@@ -227,14 +218,14 @@ impl Melt {
         if list.starts().len() != self.positions.len() + 1 {
             return;
         }
-        self.move_copies();
+        self.move_images();
         let fields = FluidFields {
             positions: &self.positions,
             velocities: &self.velocities,
             masses: &self.masses,
             temperatures: &self.temperatures,
-            copies: &self.sources,
-            mirrors: &self.signs,
+            copies: &self.images.source,
+            mirrors: &self.images.mirror,
             list_starts: list.starts(),
             list_neighbors: list.indices(),
         };
@@ -243,27 +234,24 @@ impl Melt {
         state.cost.pair_visits += 2 * list.starts()[self.members.len()] as u64;
     }
 
-    fn shortest_step(&self) -> f64 {
-        let (kernel, sound) = (&self.controls.kernel, self.controls.state.reference_sound_speed());
-        SHORTEST_STEP * acoustic_step(kernel.smoothing_length(), sound, 0.0)
-    }
-
-    /// The shortest of the limits of sound, viscosity, tension and force \[s\].
+    /// The shortest of the limits of sound, friction, tension and force \[s\].
     fn longest_step(&self) -> f64 {
         let fastest = self.velocities[..self.members.len()].iter().map(Vector3::norm).fold(0.0, f64::max);
         let strongest = self.accelerations.iter().map(Vector3::norm).fold(0.0, f64::max);
-        self.steady_step(fastest).min(force_step(self.controls.kernel.smoothing_length(), strongest))
+        self.step_of(fastest, strongest)
     }
 
     /// The same without forces, for melt whose fastest particle goes at `fastest` \[m/s\].
     pub fn steady_step(&self, fastest: f64) -> f64 {
-        let length = self.controls.kernel.smoothing_length();
-        let density = self.reference_density();
-        let tension = self.controls.surface_tension.map_or(0.0, |tension| tension.reference());
-        // Kick-drift-kick is stable to twice the acoustic limit, and as accurate there.
-        (2.0 * acoustic_step(length, self.controls.state.reference_sound_speed(), fastest))
-            .min(viscous_step(length, self.controls.dynamic_viscosity / density))
-            .min(capillary_step(length, density, tension))
+        self.step_of(fastest, 0.0)
+    }
+
+    fn step_of(&self, fastest: f64, strongest: f64) -> f64 {
+        self.controls
+            .longest_steps(fastest, strongest)
+            .into_iter()
+            .map(|limit| limit.1)
+            .fold(f64::INFINITY, f64::min)
     }
 
     fn kick(&mut self, dt: f64) {
@@ -278,6 +266,23 @@ impl Melt {
         }
         for (position, shift) in self.positions.iter_mut().zip(self.sweep.shift_velocities()) {
             *position += shift * dt;
+        }
+        self.stay_inside();
+    }
+
+    /// A particle that crosses a symmetry plane meets its image there, which comes in as it goes out: it takes the image's place.
+    fn stay_inside(&mut self) {
+        let melt = self.positions.iter_mut().zip(&mut self.velocities).take(self.members.len());
+        for (position, velocity) in melt {
+            for axis in 0..3 {
+                for (side, outwards) in [(0, -1.0), (1, 1.0)] {
+                    let beyond = outwards * (position[axis] - self.planes.position[axis][side]);
+                    if self.planes.parity[axis][side].is_some() && beyond > 0.0 {
+                        position[axis] -= 2.0 * outwards * beyond;
+                        velocity[axis] = -velocity[axis];
+                    }
+                }
+            }
         }
     }
 }
@@ -330,7 +335,7 @@ mod tests {
         let mut state = State::at_rest(64, 2500.0);
         state.molten.fill(true);
         state.velocities.fill(Vector3::new(speed, 0.0, 0.0));
-        Melt::new(controls, spacing, Vec::new()).unwrap().advance(
+        Melt::new(controls, spacing, Planes::adiabatic_box([-1.0; 3], [1.0; 3])).unwrap().advance(
             &mut particles,
             &mut state,
             &[1000.0; 64],
@@ -342,5 +347,20 @@ mod tests {
     fn melt_that_has_run_wild_is_not_stepped_for_ever() {
         assert!(gets_there(1.0));
         assert!(!gets_there(1e6) && !gets_there(f64::INFINITY));
+    }
+
+    #[test]
+    fn melt_that_crosses_a_symmetry_plane_comes_back_as_its_image() {
+        let spacing = 1e-4;
+        let kernel = KernelKind::WendlandC2.with_smoothing_length(1.5 * spacing);
+        let controls = FluidControls::new(kernel, Tait::new(2500.0, 10.0, 7.0).unwrap());
+        let planes = Planes::adiabatic_box([0.0, -1.0, -1.0], [1.0; 3]);
+        let mut melt = Melt::new(controls, spacing, planes).unwrap();
+        melt.members = vec![0, 1];
+        melt.positions = vec![Vector3::new(-2e-6, 0.1, 0.2), Vector3::new(3e-6, 0.1, 0.2)];
+        melt.velocities = vec![Vector3::new(-0.5, 1.0, 2.0); 2];
+        melt.stay_inside();
+        assert_eq!(melt.positions, [Vector3::new(2e-6, 0.1, 0.2), Vector3::new(3e-6, 0.1, 0.2)]);
+        assert_eq!(melt.velocities, [Vector3::new(0.5, 1.0, 2.0), Vector3::new(-0.5, 1.0, 2.0)]);
     }
 }

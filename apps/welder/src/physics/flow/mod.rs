@@ -4,12 +4,11 @@
 //! A particle melts and freezes in place. It carries its enthalpy with it, so that flow changes no energy of heat; what it takes
 //! is the new neighbourhood, which heat finds anew after each step ([`Physics::rearrange`]).
 
-mod copies;
 mod melt;
 mod state;
 
 use super::{Column, Cost, Exchange, Failure, Mechanics, Physics};
-use crate::build::Workpiece;
+use crate::build::{Workpiece, symmetry_planes};
 use crate::case::scene::FlowSchedule;
 use crate::model::{FlowModel, Model, ModelError};
 use crate::particles::Particles;
@@ -78,7 +77,7 @@ impl Flow {
         };
         let count = workpiece.particles.len();
         Ok(Self {
-            melt: Melt::new(controls, spacing, mirrors(model))?,
+            melt: Melt::new(controls, spacing, symmetry_planes(workpiece.low, workpiece.high, &model.faces))?,
             state: State::at_rest(count, density),
             curve: model.curves[0].clone(),
             spacing,
@@ -128,16 +127,6 @@ impl Flow {
                 .into(),
         })
     }
-}
-
-/// The symmetry planes of a part.
-fn mirrors(model: &Model) -> Vec<(usize, f64)> {
-    let (bounds, mirrored) = (<[[f64; 3]; 2]>::from(model.bounds()), model.mirrored());
-    let sides = [0, 1].into_iter().flat_map(|axis| [0, 1].map(|side| (axis, side)));
-    sides
-        .filter(|&(axis, side)| mirrored[axis][side])
-        .map(|(axis, side)| (axis, bounds[side][axis]))
-        .collect()
 }
 
 impl Physics<3> for Flow {

@@ -9,7 +9,7 @@ mod super_step;
 
 use super::{Cost, Exchange, Failure, Physics};
 use crate::build::{
-    Members, Neighborhood, PairReport, Workpiece, conduction_rows, mirrors, pair_table, smoothing_ratio,
+    Members, Neighborhood, PairReport, Workpiece, conduction_rows, default_ratio, mirrors, pair_table,
 };
 use crate::case::scene::{ConductivityMean, Face, FlowSchedule, KernelShape, Weights};
 use crate::model::{Model, ModelError};
@@ -80,7 +80,7 @@ impl Heat {
         let weights = settings.weights;
         // Rows that melt moves into are normalised ones, and reach as far.
         let reaching = if model.flow.is_some() { Weights::Normalized } else { weights };
-        let ratio = smoothing_ratio(settings.smoothing_ratio, reaching, workpiece.disorder);
+        let ratio = settings.smoothing_ratio.unwrap_or_else(|| default_ratio(reaching, workpiece.disorder));
         let all = Members::all(particles.len());
         let planes = mirrors(workpiece, &model.faces, weights);
         let neighborhood = Neighborhood::new(workpiece, &planes, &all, kernel, ratio)?;

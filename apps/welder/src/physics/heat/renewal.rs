@@ -6,6 +6,7 @@
 
 use crate::build::{Members, Neighborhood, Workpiece, pair_table};
 use crate::model::ModelError;
+use crate::particles::bounding_box;
 use nalgebra::Vector3;
 use sph_kernel::{Kernel, KernelKind};
 use sph_thermal::conduction::{ConductionRows, PairTable, Planes};
@@ -106,13 +107,9 @@ impl RenewedRows {
     fn members(&self, workpiece: &Workpiece, renewed: &[usize]) -> Members {
         let positions = &workpiece.particles.position;
         let support = Kernel::<3>::support_radius(self.rule.kernel, 1.0) * self.rule.ratio;
-        let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
-        let mut largest = workpiece.spacing;
-        for &i in renewed {
-            low = low.inf(&positions[i].inf(&self.placed[i]));
-            high = high.sup(&positions[i].sup(&self.placed[i]));
-            largest = largest.max(workpiece.particles.spacing[i]);
-        }
+        let places = renewed.iter().flat_map(|&i| [&positions[i], &self.placed[i]]);
+        let [low, high] = bounding_box(places);
+        let largest = renewed.iter().map(|&i| workpiece.particles.spacing[i]).fold(0.0, f64::max);
         // A neighbour is of the next level at most: twice the spacing, and half of it in the mean of the pair.
         let margin = Vector3::repeat(3.0 * support * largest);
         Members::within(positions, low - margin, high + margin)

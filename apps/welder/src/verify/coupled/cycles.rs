@@ -4,14 +4,13 @@
 //! stored then is what a hundred cycles have lost or made.
 
 use super::super::benchmark::relative;
-use super::super::scene::{block, reference_aluminium, uniform_start};
+use super::super::scene::{block, reference_aluminium, reference_flow, uniform_start};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
-use crate::case::scene::{Face, Flow, Stress, Weights};
-use crate::model::{FlowModel, Model, ModelError, StressModel};
+use crate::case::scene::{Face, Stress, Weights};
+use crate::model::{Model, ModelError, StressModel};
 use crate::physics::Column;
 use crate::run::Simulation;
 use laser_source::{Absorption, Beam, Gaussian, LaserSource, Path, PowerPoint, Pulse};
-use sph_fluid::SurfaceTension;
 use sph_solid::{IsotropicModuli, ThermalExpansion, YieldStress};
 
 /// Edge of the part \[m\]; it is half as thick.
@@ -40,11 +39,6 @@ const YOUNG: f64 = 70e9;
 const POISSON: f64 = 0.33;
 const EXPANSION: f64 = 2.31e-5;
 const YIELD: f64 = 90e6;
-
-/// Viscosity \[Pa s\], twenty times that of aluminium, tension \[N/m\] and its slope \[N/(m K)\].
-const VISCOSITY: f64 = 2.6e-2;
-const TENSION: f64 = 0.9;
-const TENSION_SLOPE: f64 = -3.5e-4;
 
 const REFERENCE: &str = "a part that has cooled to its start temperature holds the energy of its start";
 const ENERGY: Quantity = Quantity {
@@ -180,9 +174,7 @@ fn stressed(resolution: f64) -> Result<Model, ModelError> {
 }
 
 fn flowing(resolution: f64) -> Result<Model, ModelError> {
-    let tension = SurfaceTension::new(TENSION, TENSION_SLOPE, reference_aluminium().liquidus)?;
-    let flow = FlowModel { settings: Flow::default(), viscosity: VISCOSITY, tension };
-    let mut model = Model { flow: Some(flow), ..pulsed(resolution)? };
+    let mut model = Model { flow: Some(reference_flow(1.0)?), ..pulsed(resolution)? };
     model.heat.weights = Weights::Normalized;
     Ok(model)
 }

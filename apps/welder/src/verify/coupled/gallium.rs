@@ -57,7 +57,7 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
         suffix: "",
         text: "root mean square of the relative errors of the melted share at tau = 0.00946, 0.01433 and 0.02113; resolution: \
                particles across the width",
-        marks: &[Mark { resolution: 28.0, error: 0.11 }, Mark { resolution: 56.0, error: 0.1 }],
+        marks: &[Mark { resolution: 28.0, error: 0.1 }, Mark { resolution: 56.0, error: 0.1 }],
     }],
     resolutions: [28.0, 42.0, 56.0],
     quick: 1,

@@ -52,7 +52,7 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
                    the gate's thickness, the gate has two particles to each. Known to miss 10 %, alike at all resolutions: \
                    the computed gate is 4.4 ms early (all four points would agree to 10 % if the measured gate was let go late), \
                    and stiffness does not matter yet",
-            marks: &[Mark { resolution: 3.0, error: 0.26 }, Mark { resolution: 5.0, error: 0.1 }],
+            marks: &[Mark { resolution: 3.0, error: 0.1 }, Mark { resolution: 5.0, error: 0.1 }],
         },
         Quantity {
             suffix: "open",

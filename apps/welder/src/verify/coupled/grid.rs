@@ -1,12 +1,11 @@
 //! Welds with flow over a grid of powers, speeds, materials and starts: none may end in any other way than done or by name.
 
-use super::super::scene::{block, reference_aluminium, uniform_start};
+use super::super::scene::{block, reference_aluminium, reference_flow, uniform_start};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
-use crate::case::scene::{Face, Flow};
-use crate::model::{FlowModel, Model, ModelError};
+use crate::case::scene::Face;
+use crate::model::{Model, ModelError};
 use crate::run::Simulation;
 use laser_source::{Absorption, Beam, Gaussian, LaserSource, Path, Pulse};
-use sph_fluid::SurfaceTension;
 use sph_thermal::phase::EnthalpyCurve;
 
 /// 1/e² radius of the beam \[m\]; the resolution is how many spacings it has.
@@ -24,11 +23,6 @@ const START: f64 = 600.0;
 
 /// Coefficient of the loss at a cooled bottom \[W/(m² K)\].
 const CONVECTION: f64 = 5e5;
-
-/// Viscosity \[Pa s\], twenty times that of aluminium, tension \[N/m\] and its slope \[N/(m K)\].
-const VISCOSITY: f64 = 2.6e-2;
-const TENSION: f64 = 0.9;
-const TENSION_SLOPE: f64 = -3.5e-4;
 
 /// One weld of the grid: what differs from the middle one.
 #[derive(Debug, Clone, Copy)]
@@ -165,8 +159,7 @@ fn model(weld: &Weld, resolution: f64) -> Result<Model, ModelError> {
     model.end = 2.0 * laser.track().end_time();
     model.laser = Some(laser);
     model.stop_when_solid = true;
-    let tension = SurfaceTension::new(TENSION, weld.slope * TENSION_SLOPE, material.liquidus)?;
-    model.flow = Some(FlowModel { settings: Flow::default(), viscosity: VISCOSITY, tension });
+    model.flow = Some(reference_flow(weld.slope)?);
     Ok(model)
 }
 

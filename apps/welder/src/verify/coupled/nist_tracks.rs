@@ -64,12 +64,12 @@ pub(in super::super) const BENCHMARK: Benchmark = Benchmark {
         Quantity {
             suffix: "width",
             text: "worst relative error of width, 179.2 W at 0.8 and 1.2 m/s",
-            marks: &[Mark { resolution: 6.0, error: 0.25 }, Mark { resolution: 12.0, error: 0.1 }],
+            marks: &[Mark { resolution: 6.0, error: 0.1 }, Mark { resolution: 12.0, error: 0.1 }],
         },
         Quantity {
             suffix: "depth",
             text: "worst relative error of depth, 179.2 W at 0.8 and 1.2 m/s",
-            marks: &[Mark { resolution: 6.0, error: 0.3 }, Mark { resolution: 12.0, error: 0.1 }],
+            marks: &[Mark { resolution: 6.0, error: 0.1 }, Mark { resolution: 12.0, error: 0.1 }],
         },
     ],
     resolutions: [6.0, 8.0, 12.0],
