@@ -59,9 +59,13 @@ class Run:
 
     def is_named(self):
         """Whether the run ended as something that the program has a name for, with what belongs to it."""
-        return self.summary is not None and self.code in ENDS and (self.code != 3 or self.has_dossier)
+        return self.summary is not None and self.code in ENDS and (
+            self.code != 3 or self.has_dossier or self.summary["status"] == "deep-penetration"
+        )
 
     def end(self):
+        if self.summary is not None and self.summary["status"] == "deep-penetration":
+            return "deep penetration"
         return ENDS.get(self.code, f"exit code {self.code}")
 
     def picture(self):

@@ -19,6 +19,7 @@ fn face() -> impl Strategy<Value = Face> {
             convection_w_m2_k,
             emissivity,
             ambient_k: 293.0,
+            evaporation: false,
         }),
     ]
 }

@@ -3,6 +3,7 @@
 mod advice;
 mod estimates;
 mod fluid;
+mod melt;
 mod prove;
 mod solid;
 
@@ -84,6 +85,7 @@ fn describe(case: &Case, model: &Model) -> Result<Vec<String>, ModelError> {
     let heat = Heat::new(model, &workpiece)?;
     lines.push(pair_line(&heat));
     lines.push(step_lines(model, &heat));
+    lines.extend(model.flow.as_ref().map(|flow| melt::forecast(model, flow)).transpose()?);
     lines.extend(stress_line(model, &workpiece)?);
     lines.extend(power_lines(model));
     lines.extend(warnings(model));

@@ -1,12 +1,16 @@
 //! The case as the engine takes it: numbers and curves instead of names and cards.
 
-use crate::case::scene::{EnthalpyCurve as CurveChoice, Face, Faces, Flow, Heat, Resolution, Stress};
+mod flow;
+
+use crate::case::scene::{EnthalpyCurve as CurveChoice, Face, Faces, Heat, Resolution, Stress};
 use crate::case::{Case, MaterialCard, Property};
 use laser_source::LaserSource;
-use sph_fluid::{SurfaceTension, artificial_sound_speed};
 use sph_solid::{IsotropicModuli, ThermalExpansion, YieldStress};
+use sph_thermal::boundary::{Evaporation, SurfaceLoss};
 use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
 use std::sync::Arc;
+
+pub use flow::{FlowModel, TensionLaw, marangoni_speed};
 
 /// Material (index) and temperature \[K\] at a point \[m\] at the start.
 pub type Start = Arc<dyn Fn([f64; 3]) -> (u8, f64) + Send + Sync>;
@@ -28,6 +32,10 @@ pub struct Model {
     pub materials: Vec<ThermalMaterial>,
     /// Their enthalpy curves.
     pub curves: Vec<EnthalpyCurve>,
+    /// How they evaporate, where their cards tell.
+    pub evaporation: Vec<Option<Evaporation>>,
+    /// Surface tension of the part's own material, where its card tells.
+    pub tension: Option<TensionLaw>,
     /// What fills the part at the start.
     pub start: Start,
     /// The laser, if there is one.
@@ -42,39 +50,6 @@ pub struct Model {
     pub end: f64,
     /// Whether the run ends when everything has frozen after the laser's last light.
     pub stop_when_solid: bool,
-}
-
-/// Flow as the engine takes it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FlowModel {
-    /// What the scene says.
-    pub settings: Flow,
-    /// Dynamic viscosity of the melt, factor included \[Pa s\].
-    pub viscosity: f64,
-    /// Surface tension over temperature.
-    pub tension: SurfaceTension,
-}
-
-/// How much hotter than its rim a pool is taken to be before the run \[K\].
-const EXPECTED_EXCESS: f64 = 500.0;
-
-impl FlowModel {
-    /// Artificial speed of sound \[m/s\]: the scene's, or ten times the largest speed that it lets expect: of capillary waves
-    /// on the beam's radius, and of Marangoni flow in its boundary layer or, where friction rules, as a Stokes flow.
-    pub fn sound_speed(&self, model: &Model) -> f64 {
-        let density = model.materials[0].density;
-        let radius = model.laser.as_ref().map_or(0.5 * model.size[2], |laser| laser.beam().radius_m());
-        let pull = self.tension.slope().abs() * EXPECTED_EXCESS;
-        let speed = marangoni_speed(pull, density, self.viscosity, radius);
-        let expected = artificial_sound_speed(speed, density, self.tension.reference(), radius, 0.0);
-        self.settings.sound_speed_m_s.unwrap_or(expected)
-    }
-}
-
-/// Speed \[m/s\] of a surface that a change of tension `pull` \[N/m\] over a `radius` \[m\] drives: that of its boundary layer,
-/// (pull^2/(rho eta R))^(1/3) (Ostrach 1982), or, where friction rules, of a Stokes flow in a half-sphere, 0.15 pull/eta.
-pub fn marangoni_speed(pull: f64, density: f64, viscosity: f64, radius: f64) -> f64 {
-    (pull * pull / (density * viscosity * radius)).cbrt().min(0.15 * pull / viscosity)
 }
 
 /// Stress as the engine takes it.
@@ -141,14 +116,42 @@ impl Model {
             resolution: scene.resolution,
             materials,
             curves,
+            evaporation: case
+                .materials
+                .iter()
+                .map(|material| evaporation(&material.card))
+                .collect::<Result<_, _>>()?,
+            tension: TensionLaw::of_card(&case.materials[0].card)?,
             start,
             laser: scene.laser.as_ref().map(|laser| laser.source()).transpose()?,
             heat,
-            flow: scene.flow().map(|settings| flow(settings, case)).transpose()?,
+            flow: scene
+                .flow()
+                .map(|settings| FlowModel::of_card(settings, &case.materials[0].card))
+                .transpose()?,
             stress: scene.stress().map(|settings| stress(settings, case)).transpose()?,
             end: scene.time.end_s,
             stop_when_solid: scene.time.stop_when_solid,
         })
+    }
+
+    /// What a face of a material loses to its surroundings; `None` of faces that are no [`Face::Losses`].
+    ///
+    /// # Errors
+    /// [`ModelError`] when the thermal crate refuses a constant, or the material does not tell how it evaporates.
+    pub fn surface_loss(&self, face: Face, material: usize) -> Result<Option<SurfaceLoss>, ModelError> {
+        let Face::Losses { convection_w_m2_k, emissivity, ambient_k, evaporation } = face else {
+            return Ok(None);
+        };
+        let dry = SurfaceLoss::new(convection_w_m2_k, emissivity, ambient_k)?;
+        match (evaporation, self.evaporation[material]) {
+            (false, _) => Ok(Some(dry)),
+            (true, Some(vapour)) => Ok(Some(dry.with_evaporation(vapour))),
+            (true, None) => Err(ModelError::Unsupported(
+                "evaporation needs boiling_k, heat_of_evaporation_j_kg and molar_mass_kg_mol of the material"
+                    .into(),
+            )),
+        }
     }
 
     /// Finest spacing \[m\].
@@ -162,6 +165,11 @@ impl Model {
         ([x, y, -self.size[2]], [x + self.size[0], y + self.size[1], 0.0])
     }
 
+    /// Radius of the beam, or half the thickness without one \[m\]: the size of the pool that is to be expected.
+    pub fn heated_radius(&self) -> f64 {
+        self.laser.as_ref().map_or(0.5 * self.size[2], |laser| laser.beam().radius_m())
+    }
+
     /// Which of the low and high faces of x and y are symmetry planes.
     pub fn mirrored(&self) -> [[bool; 2]; 2] {
         let faces = &self.faces;
@@ -173,26 +181,6 @@ impl Model {
     pub fn counts(&self) -> [i64; 3] {
         self.size.map(|size| (size / self.spacing()).round() as i64)
     }
-}
-
-/// The melt of the part's own material.
-///
-/// # Errors
-/// [`ModelError::Unsupported`] where the card lacks what flow needs, and what the fluid crate refuses.
-fn flow(settings: &Flow, case: &Case) -> Result<FlowModel, ModelError> {
-    let card = &case.materials[0].card;
-    let (Some(viscosity), Some(tension), Some(slope)) =
-        (&card.viscosity_pa_s, &card.surface_tension_n_m, &card.surface_tension_slope_n_m_k)
-    else {
-        let what =
-            "Flow needs viscosity_pa_s, surface_tension_n_m and surface_tension_slope_n_m_k of the material";
-        return Err(ModelError::Unsupported(what.into()));
-    };
-    Ok(FlowModel {
-        settings: *settings,
-        viscosity: settings.viscosity_factor * viscosity.value,
-        tension: SurfaceTension::new(tension.value, slope.value, card.liquidus_k.value)?,
-    })
 }
 
 /// The mechanical side of the part's own material.
@@ -214,6 +202,16 @@ fn stress(settings: &Stress, case: &Case) -> Result<StressModel, ModelError> {
         expansion: ThermalExpansion::new(density, start, &expansion.points())?,
         yield_stress: YieldStress::new(&strength.points())?,
     })
+}
+
+/// How a material evaporates, where its card tells all of it.
+fn evaporation(card: &MaterialCard) -> Result<Option<Evaporation>, sph_thermal::Error> {
+    match (&card.boiling_k, &card.heat_of_evaporation_j_kg, &card.molar_mass_kg_mol) {
+        (Some(boiling), Some(heat), Some(mass)) => {
+            Evaporation::new(boiling.value, heat.value, mass.value).map(Some)
+        }
+        _ => Ok(None),
+    }
 }
 
 /// The thermal side of a material card.

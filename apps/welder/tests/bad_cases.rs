@@ -77,6 +77,10 @@ fn wrong_flow() {
     assert_refused(code, &message, &["viscosity_pa_s.value", "mPa s (then write 1.3e-3)"]);
     let (code, message) = check(&scene, MATERIAL, &[]);
     assert_refused(code, &message, &["Flow needs viscosity_pa_s of metal", "leave out Flow"]);
+    let (code, message) = check(SCENE, MATERIAL, &["part.faces.top=Losses(evaporation: true)"]);
+    let words =
+        ["evaporation needs heat_of_evaporation_j_kg of metal", "molar_mass_kg_mol", "evaporation: false"];
+    assert_refused(code, &message, &words);
 }
 
 #[test]

@@ -15,9 +15,18 @@ fn spot(physics: &str, slope: &str) -> Simulation {
 
 /// The same with a spacing and an end \[s\].
 fn spot_of(physics: &str, slope: &str, spacing: &str, end: &str) -> Simulation {
+    spot_in(&metal().replace("-3.5e-4", slope), physics, spacing, end)
+}
+
+/// The card of the model aluminium.
+fn metal() -> String {
+    let card = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/materials/aluminium-model.ron");
+    std::fs::read_to_string(Path::new(card)).unwrap()
+}
+
+/// The same of the material of a card.
+fn spot_in(metal: &str, physics: &str, spacing: &str, end: &str) -> Simulation {
     let folder = tempfile::tempdir().unwrap();
-    let materials = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/materials/aluminium-model.ron");
-    let metal = std::fs::read_to_string(Path::new(materials)).unwrap().replace("-3.5e-4", slope);
     std::fs::write(folder.path().join("metal.ron"), metal).unwrap();
     let scene = format!(
         "(part: (low_corner_m: (-0.6e-3, -0.6e-3), size_m: (1.2e-3, 1.2e-3, 0.5e-3), material: \"metal.ron\", \
@@ -85,6 +94,23 @@ fn marangoni_flow_goes_where_tension_grows_and_closes_the_ledger() {
         let ledger = driven.ledger();
         assert_eq!(ledger.fault(), None);
         assert!(ledger.residual.abs() < 1e-12, "{}", ledger.residual);
+        let mechanics = driven.mechanics().unwrap();
+        let work = mechanics.work;
+        println!(
+            "driven pools: Marangoni work {:.3e} J, tension {:.3e} J, made heat {:.3e} J, kept {:.1e} J of {:.1e} J; sound {:.2} m/s, Mach {:.3}",
+            work.marangoni,
+            work.tension,
+            ledger.made,
+            ledger.moving,
+            work.kept(),
+            mechanics.sound_speed,
+            driven.records().largest_mach
+        );
+        // What drives the melt is motion and heat of friction; the scheme itself adds or takes a part of it.
+        let driving = work.marangoni + work.tension;
+        let found = ledger.made + ledger.moving;
+        assert!(work.marangoni > 0.0 && (found / driving - 1.0).abs() < 0.4, "{work:?}");
+        assert!(driven.records().largest_mach < 0.12, "{}", driven.records().largest_mach);
         let inside = |x: &Vector3<f64>| x.z < 100e-6 && x.xy().amax() < 0.7e-3;
         assert!(driven.particles().position.iter().all(inside), "nothing is thrown out");
     }
@@ -132,4 +158,27 @@ fn a_still_melt_leaves_the_solid_the_stress_that_it_has_without_flow() {
     let near = |a: f64, b: f64| (a / b - 1.0).abs() < 0.02;
     assert!(near(with.largest_displacement, without.largest_displacement));
     assert!(near(with.largest_von_mises, without.largest_von_mises));
+}
+
+#[test]
+fn tension_and_viscosity_may_be_tables_over_temperature() {
+    let line = "surface_tension_n_m: (value: 0.9, source: \"the same\"),\n    \
+                surface_tension_slope_n_m_k: (value: -3.5e-4, source: \"the same\"),";
+    let table = "surface_tension_n_m: (table: [(905.0, 0.9), (1905.0, 1.25)], source: \"test\"),";
+    let viscosity = "viscosity_pa_s: (value: 1.3e-3,";
+    let thinning = "viscosity_pa_s: (table: [(905.0, 1.3e-3), (1400.0, 0.9e-3)],";
+    assert!(metal().contains(line) && metal().contains(viscosity));
+    let run = |metal: &str| {
+        let mut simulation = spot_in(metal, FLOW, "50e-6", "1.0e-3");
+        simulation.run_quietly().unwrap();
+        assert_eq!(simulation.ledger().fault(), None);
+        (outward(&simulation), simulation.records().largest_speed)
+    };
+    let (rising, rising_fastest) = run(&metal().replace(line, table));
+    let (thin, thin_fastest) = run(&metal().replace(line, table).replace(viscosity, thinning));
+    println!(
+        "tables: inward at {rising:.3} m/s (fastest {rising_fastest:.3}), thinner {thin:.3} m/s ({thin_fastest:.3})"
+    );
+    assert!(rising < -0.02, "{rising}");
+    assert!(thin < 1.05 * rising, "a thinner melt flows faster: {thin} {rising}");
 }

@@ -200,3 +200,38 @@ fn too_many_particles_end_with_2_before_anything_is_built() {
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(message.contains("max_particles") && message.contains("spacing_m"), "{message}");
 }
+
+#[test]
+fn a_keyhole_ends_the_run_with_a_status_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let power = "laser.path=Spot(position_m: (0.0, 0.0), pulse: Constant(start_s: 0.0, duration_s: 5.0e-3, power_w: 5000.0))";
+    let arguments = ["--set", "part.material=\"aluminium\"", "--set", power];
+    let output = welder(folder.path(), &arguments);
+    let summary = result(folder.path());
+    assert_eq!((code(&output), summary.status), (3, Status::DeepPenetration));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(said.contains("deep penetration") && said.contains("boiling point of 2790 K"), "{said}");
+    assert!(summary.numbers["recoil_over_tension"] > 1.0);
+    let peak = summary.outcome.peak_temperature_k;
+    assert!(peak > 2790.0 && peak < 3500.0, "it ends where it happens: {peak}");
+    assert!(folder.path().join("history.csv").is_file());
+}
+
+#[test]
+fn evaporation_takes_heat_that_the_ledger_knows() {
+    let run = |top: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let top = format!("part.faces.top={top}");
+        let output = welder(folder.path(), &["--set", "part.material=\"aluminium\"", "--set", &top]);
+        assert_eq!(code(&output), 0, "{}", String::from_utf8_lossy(&output.stderr));
+        result(folder.path()).outcome
+    };
+    let (dry, steaming) = (run("Adiabatic"), run("Losses(evaporation: true)"));
+    println!(
+        "evaporation: peak {:.0} K without, {:.0} K with",
+        dry.peak_temperature_k, steaming.peak_temperature_k
+    );
+    assert_eq!(dry.energy.lost_j, 0.0);
+    assert!(steaming.energy.lost_j > 0.0 && steaming.energy.residual_rel.abs() < 1e-12);
+    assert!(steaming.peak_temperature_k < dry.peak_temperature_k - 1.0);
+}

@@ -134,11 +134,9 @@ impl Plain {
             positions: &self.positions,
             velocities: &self.velocities,
             masses: &self.masses,
-            temperatures: &[],
-            copies: &[],
-            mirrors: &[],
             list_starts: self.list.list().starts(),
             list_neighbors: self.list.list().indices(),
+            ..FluidFields::default()
         };
         self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
     }

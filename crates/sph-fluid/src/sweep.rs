@@ -4,13 +4,13 @@ mod powers;
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, acoustic_step,
-    artificial_heating, capillary_step, conjugate_colour_gradient, conjugate_pressure_acceleration,
-    corrected_density_rate, corrected_diffusion, density_rate, force_step, friction_heating, leading_part,
-    marangoni_force, tension_force, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
+    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, Viscosity, acoustic_step,
+    artificial_acceleration, artificial_heating, capillary_step, conjugate_colour_gradient,
+    conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate, force_step,
+    friction_heating, leading_part, marangoni_force, strain_acceleration, tension_force,
+    viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
-use powers::friction_accelerations;
 use rayon::prelude::*;
 use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inverse, summation};
 use sph_kernel::{Row, RowBuffer, ScaledKernel};
@@ -27,7 +27,8 @@ pub struct FluidControls<const D: usize> {
     pub kernel: ScaledKernel<D>,
     /// Equation of state.
     pub state: Tait,
-    /// Dynamic viscosity eta \[Pa s\].
+    /// Dynamic viscosity eta \[Pa s\]; where [`FluidFields::viscosities`] gives one of each particle, the largest of them, which
+    /// steps are taken by.
     pub dynamic_viscosity: f64,
     /// How viscosity acts between particles.
     pub friction: Friction,
@@ -37,7 +38,8 @@ pub struct FluidControls<const D: usize> {
     pub density_diffusion: f64,
     /// Acceleration of every particle, for example gravity \[m/s^2\].
     pub body_acceleration: SVector<f64, D>,
-    /// Tension of a free surface; `None` where there is none, or where it does not matter.
+    /// Tension of a free surface; `None` where there is none, or where it does not matter. Its reference rules the steps also where
+    /// [`FluidFields::tensions`] gives the tension.
     pub surface_tension: Option<SurfaceTension>,
     /// Exchange of the rows of a free surface; needed where a surface flows in a closed melt.
     pub renewal: Option<Renewal>,
@@ -110,7 +112,7 @@ impl<const D: usize> FluidControls<D> {
 }
 
 /// What the caller owns and the sweep reads. Order of all columns: fluid, copies of fluid, walls.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct FluidFields<'a, const D: usize> {
     /// Positions at the end of the drift \[m\].
     pub positions: &'a [SVector<f64, D>],
@@ -121,6 +123,11 @@ pub struct FluidFields<'a, const D: usize> {
     /// Temperatures \[K\] of all particles; read only where tension or density change with temperature, and may be empty
     /// without.
     pub temperatures: &'a [f64],
+    /// Dynamic viscosity eta \[Pa s\] of all particles, of a wall that of the fluid at its temperature; empty where that of the
+    /// controls holds everywhere.
+    pub viscosities: &'a [f64],
+    /// Surface tension tau \[N/m\] at the temperatures of all particles; empty where the controls' law gives it.
+    pub tensions: &'a [f64],
     /// For each copy (image across a period or in a mirror plane) the fluid particle that it shows.
     pub copies: &'a [u32],
     /// For each copy the sign by which each component of a vector continues: -1 on mirrored axes. Empty where no copy is a
@@ -137,6 +144,11 @@ impl<'a, const D: usize> FluidFields<'a, D> {
     #[inline]
     pub(crate) fn neighbors(&self, i: usize) -> &'a [u32] {
         &self.list_neighbors[self.list_starts[i]..self.list_starts[i + 1]]
+    }
+
+    /// Viscosity of the particles; `even` \[Pa s\] where none has one of its own.
+    pub(crate) fn viscosity(&self, even: f64) -> Viscosity<'a> {
+        if self.viscosities.is_empty() { Viscosity::Even(even) } else { Viscosity::Each(self.viscosities) }
     }
 
     /// Gives each copy, stored behind the fluid, the vector of the particle that it shows, mirrored where the copy is.
@@ -165,14 +177,19 @@ pub struct FluidSweep<const D: usize> {
     density_gradients: Vec<SVector<f64, D>>,
     surface: Option<SurfaceBand<D>>,
     shifts: Vec<SVector<f64, D>>,
-    /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on the fluid; empty without tension.
+    /// What friction and tension add to the accelerations of the fluid \[m/s^2\], and the Marangoni force \[N/m^3; N/m^2 in 2-D\];
+    /// the last two are empty without tension.
+    friction: Vec<SVector<f64, D>>,
+    tension: Vec<SVector<f64, D>>,
     marangoni: Vec<SVector<f64, D>>,
+    /// Surface tension \[N/m\] of all particles; empty where it is the same everywhere.
+    tensions: Vec<f64>,
     /// rho_0/rho_ref(T) of all particles, one of walls, which fill their cells at any temperature, and with it the densities and masses that have the same pressure and room at T_0; empty
     /// without thermal expansion.
     stretches: Vec<f64>,
     even_densities: Vec<f64>,
     even_masses: Vec<f64>,
-    /// Heat of friction; empty where it is not asked for.
+    /// Heat of friction; zero where it is not asked for.
     heating: Vec<f64>,
     /// Inverse moments B; empty without corrected gradients.
     corrections: Vec<SMatrix<f64, D, D>>,
@@ -194,7 +211,10 @@ impl<const D: usize> FluidSweep<D> {
             seen: Vec::new(),
             density_gradients: Vec::new(),
             shifts: Vec::new(),
+            friction: Vec::new(),
+            tension: Vec::new(),
             marangoni: Vec::new(),
+            tensions: Vec::new(),
             stretches: Vec::new(),
             even_densities: Vec::new(),
             even_masses: Vec::new(),
@@ -222,7 +242,7 @@ impl<const D: usize> FluidSweep<D> {
         &self.shifts
     }
 
-    /// Heat \[W/kg\] that true and artificial viscosity make in each particle of the fluid at the last evaluation; empty without
+    /// Heat \[W/kg\] that true and artificial viscosity make in each particle of the fluid at the last evaluation; zero without
     /// `viscous_heating`. With the velocities that were given, its sum is what both take from the motion, to round-off.
     #[must_use]
     pub fn heating(&self) -> &[f64] {
@@ -261,7 +281,10 @@ impl<const D: usize> FluidSweep<D> {
         assert_eq!(fields.masses.len(), particles, "masses");
         assert_eq!(densities.len(), particles, "densities");
         assert!(fields.mirrors.is_empty() || fields.mirrors.len() == fields.copies.len(), "mirrors");
+        let viscosities = fields.viscosities.len();
+        assert!(viscosities == 0 || viscosities == particles, "viscosities");
         self.fit(particles, fluid);
+        self.measure_tensions(fields);
         self.measure_stretches(fields, fluid);
         copy_images(densities, fluid, fields.copies);
         // Those of the evaluation before, whose copies may have been others.
@@ -280,13 +303,14 @@ impl<const D: usize> FluidSweep<D> {
             surface.measure(fields, &self.volumes, fluid, bends);
         }
         self.sum_forces(fields, densities, accelerations);
-        self.measure_heating(fields, densities, fluid);
         self.add_surface_forces(fields, densities, accelerations);
         self.measure_shifts(fields, fluid);
     }
 
     fn fit(&mut self, particles: usize, fluid: usize) {
         self.rates.resize(fluid, 0.0);
+        self.friction.resize(fluid, SVector::zeros());
+        self.heating.resize(fluid, 0.0);
         self.volumes.resize(particles, 0.0);
         self.pressures.resize(particles, 0.0);
         self.seen.resize(particles, SVector::zeros());
@@ -312,6 +336,19 @@ impl<const D: usize> FluidSweep<D> {
         for (correction, mirror) in corrections[fluid..].iter_mut().zip(fields.mirrors) {
             let mirror = SVector::from(*mirror);
             correction.component_mul_assign(&(mirror * mirror.transpose()));
+        }
+    }
+
+    /// Tension of each particle, where it changes.
+    fn measure_tensions(&mut self, fields: &FluidFields<'_, D>) {
+        let Some(tension) = self.controls.surface_tension else { return };
+        self.tensions.clear();
+        if !fields.tensions.is_empty() {
+            assert_eq!(fields.tensions.len(), fields.positions.len(), "tensions");
+            self.tensions.extend_from_slice(fields.tensions);
+        } else if tension.slope() != 0.0 {
+            assert_eq!(fields.temperatures.len(), fields.positions.len(), "temperatures");
+            self.tensions.extend(fields.temperatures.iter().map(|&temperature| tension.at(temperature)));
         }
     }
 
@@ -402,29 +439,41 @@ impl<const D: usize> FluidSweep<D> {
         });
     }
 
-    /// Second pass: forces, and the density gradients of the next diffusion.
+    /// Second pass: forces, the heat of friction, and the density gradients of the next diffusion.
     fn sum_forces(
         &mut self,
         fields: &FluidFields<'_, D>,
         densities: &[f64],
         accelerations: &mut [SVector<f64, D>],
     ) {
-        let Self { controls, volumes, pressures, seen, density_gradients, corrections, .. } = self;
+        let Self {
+            controls,
+            volumes,
+            pressures,
+            seen,
+            density_gradients,
+            corrections,
+            friction,
+            heating,
+            ..
+        } = self;
         let columns =
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
         let mobile = accelerations.len() + fields.copies.len();
         let even_densities = even_or(&self.even_densities, densities);
-        let written = accelerations.par_iter_mut().zip(density_gradients.par_iter_mut()).enumerate();
-        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient))| {
+        let viscosity = fields.viscosity(controls.dynamic_viscosity);
+        let written = (accelerations, density_gradients, friction, heating).into_par_iter().enumerate();
+        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient, friction, heat))| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            *sum = controls.body_acceleration;
-            *sum += if corrections.is_empty() {
+            let pressure = if corrections.is_empty() {
                 volume_pressure_acceleration(&row, &columns)
             } else {
                 conjugate_pressure_acceleration(&row, &columns, corrections)
             };
-            for friction in friction_accelerations(&row, &columns, seen, controls) {
-                *sum += friction;
+            *friction = friction_acceleration(&row, &columns, seen, viscosity, controls);
+            *sum = controls.body_acceleration + pressure + *friction;
+            if controls.viscous_heating {
+                *heat = heat_of_friction(&row, &columns, seen, mobile, viscosity, controls);
             }
             if controls.density_diffusion > 0.0 {
                 let fluid_row = leading_part(&row, mobile);
@@ -444,62 +493,36 @@ impl<const D: usize> FluidSweep<D> {
         if self.controls.surface_tension.is_none() || self.surface.is_none() {
             return;
         }
-        let mut marangoni = std::mem::take(&mut self.marangoni);
+        let [mut tension, mut marangoni] = [&mut self.tension, &mut self.marangoni].map(std::mem::take);
+        tension.resize(accelerations.len(), SVector::zeros());
         marangoni.resize(accelerations.len(), SVector::zeros());
         let this = &*self;
         let kernel = &this.controls.kernel;
-        let written = accelerations.par_iter_mut().zip(&mut marangoni).enumerate();
-        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, marangoni))| {
-            *marangoni = SVector::zeros();
+        let written = (accelerations, &mut tension, &mut marangoni).into_par_iter().enumerate();
+        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, tension, marangoni))| {
+            (*tension, *marangoni) = (SVector::zeros(), SVector::zeros());
             if this.feels_surface(i) == [false; 2] {
                 return;
             }
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            let [tension, driving] = this.surface_accelerations(&row, fields, densities);
-            *marangoni = driving * densities[i];
-            *sum += tension + driving;
+            let [pull, driving] = this.surface_forces(&row);
+            (*tension, *marangoni) = (pull / densities[i], driving);
+            *sum += *tension + driving / densities[i];
         });
-        self.marangoni = marangoni;
-    }
-
-    /// Heat of friction, where it is asked for.
-    fn measure_heating(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
-        let Self { controls, volumes, pressures, seen, heating, .. } = self;
-        if !controls.viscous_heating {
-            return;
-        }
-        let columns =
-            Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
-        let (mobile, sound_speed) = (fluid + fields.copies.len(), controls.state.reference_sound_speed());
-        heating.resize(fluid, 0.0);
-        heating.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, heat)| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            let viscosity = controls.dynamic_viscosity;
-            *heat = friction_heating(&row, &columns, seen, mobile, controls.friction, viscosity);
-            if controls.artificial_viscosity > 0.0 {
-                let coefficient = controls.artificial_viscosity;
-                *heat +=
-                    artificial_heating(&row, &columns, &controls.kernel, mobile, sound_speed, coefficient);
-            }
-        });
+        (self.tension, self.marangoni) = (tension, marangoni);
     }
 
     /// Whether tension pulls at a particle, and whether its change with temperature does.
     fn feels_surface(&self, i: usize) -> [bool; 2] {
-        let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
+        let Some(surface) = self.surface.as_ref().filter(|_| self.controls.surface_tension.is_some()) else {
             return [false; 2];
         };
-        let driven = tension.slope() != 0.0 && surface.planes()[i].1 < surface.profile().support();
+        let driven = !self.tensions.is_empty() && surface.planes()[i].1 < surface.profile().support();
         [surface.curvatures()[i] != 0.0, driven]
     }
 
-    /// Accelerations of a particle by tension and by its change with temperature \[m/s^2\].
-    fn surface_accelerations(
-        &self,
-        row: &Row<'_, D>,
-        fields: &FluidFields<'_, D>,
-        densities: &[f64],
-    ) -> [SVector<f64, D>; 2] {
+    /// Forces on a particle by tension and by its change with temperature \[N/m^3; N/m^2 in 2-D\].
+    fn surface_forces(&self, row: &Row<'_, D>) -> [SVector<f64, D>; 2] {
         let (i, mut found) = (row.index, [SVector::zeros(); 2]);
         let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
             return found;
@@ -507,22 +530,21 @@ impl<const D: usize> FluidSweep<D> {
         let (volumes, profile, corrections) = (&self.volumes, surface.profile(), &self.corrections);
         let [pulled, driven] = self.feels_surface(i);
         if pulled {
-            let temperature = fields.temperatures.get(i);
-            let tau = temperature.map_or(tension.reference(), |&temperature| tension.at(temperature));
+            let tau = self.tensions.get(i).copied().unwrap_or(tension.reference()).max(0.0);
             let inwards = if corrections.is_empty() {
                 surface.gradients()[i]
             } else {
                 conjugate_colour_gradient(row, volumes, corrections)
             };
-            found[0] = tension_force(tau, surface.curvatures()[i], &inwards) / densities[i];
+            found[0] = tension_force(tau, surface.curvatures()[i], &inwards);
         }
         if driven {
             let (normal, depth) = &surface.planes()[i];
             let own = corrections.get(i).copied();
             let inverse = own.unwrap_or_else(|| regularised_inverse(&moment(row, volumes)));
-            let slope = gradient(row, volumes, fields.temperatures, &inverse);
+            let slope = gradient(row, volumes, &self.tensions, &inverse);
             let weight = profile.weight(depth.max(0.0));
-            found[1] = marangoni_force(tension.slope(), weight, normal, &slope) / densities[i];
+            found[1] = marangoni_force(weight, normal, &slope);
         }
         found
     }
@@ -544,6 +566,44 @@ impl<const D: usize> FluidSweep<D> {
                 if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
             *shift = renewal.shift_velocity(&crowding, &flat, kernel.smoothing_length(), largest_speed);
         });
+    }
+}
+
+/// Acceleration of a particle by viscosity and artificial viscosity \[m/s^2\]. `seen` are the velocities that friction sees.
+fn friction_acceleration<const D: usize>(
+    row: &Row<'_, D>,
+    columns: &Fields<'_, D>,
+    seen: &[SVector<f64, D>],
+    viscosity: Viscosity<'_>,
+    controls: &FluidControls<D>,
+) -> SVector<f64, D> {
+    let own = match controls.friction {
+        Friction::Shear => viscous_acceleration(row, columns, seen, viscosity),
+        Friction::Strain => strain_acceleration(row, columns, seen, viscosity),
+    };
+    let (sound_speed, coefficient) = (controls.state.reference_sound_speed(), controls.artificial_viscosity);
+    if coefficient > 0.0 {
+        own + artificial_acceleration(row, columns, &controls.kernel, sound_speed, coefficient)
+    } else {
+        own
+    }
+}
+
+/// Heat \[W/kg\] that this friction makes in the particle.
+fn heat_of_friction<const D: usize>(
+    row: &Row<'_, D>,
+    columns: &Fields<'_, D>,
+    seen: &[SVector<f64, D>],
+    mobile: usize,
+    viscosity: Viscosity<'_>,
+    controls: &FluidControls<D>,
+) -> f64 {
+    let own = friction_heating(row, columns, seen, mobile, controls.friction, viscosity);
+    let (sound_speed, coefficient) = (controls.state.reference_sound_speed(), controls.artificial_viscosity);
+    if coefficient > 0.0 {
+        own + artificial_heating(row, columns, &controls.kernel, mobile, sound_speed, coefficient)
+    } else {
+        own
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use sph_fluid::{
     Fields, FluidControls, FluidFields, FluidSweep, PackedFields, PackedParticle, PackedRates, PackedRows,
-    PackedSweep, Tait, artificial_acceleration, corrected_diffusion, density_rate, leading_part,
+    PackedSweep, Tait, Viscosity, artificial_acceleration, corrected_diffusion, density_rate, leading_part,
     viscous_acceleration, volume_pressure_acceleration,
 };
 use sph_kernel::{KernelKind, RowBuffer};
@@ -133,7 +133,7 @@ impl<const D: usize> Cloud<D> {
                 PackedRates {
                     acceleration: body_acceleration
                         + volume_pressure_acceleration(&row, &fields)
-                        + viscous_acceleration(&row, &fields, &seen, viscosity)
+                        + viscous_acceleration(&row, &fields, &seen, Viscosity::Even(viscosity))
                         + artificial_acceleration(&row, &fields, &kernel, sound_speed, artificial),
                     density_rate: density_rate(&row, &fields) + diffusivity * diffusion,
                 }
@@ -213,11 +213,9 @@ fn density_first_is_the_step_of_the_plain_sweep() {
         positions: &positions,
         velocities: &velocities,
         masses: &masses,
-        temperatures: &[],
-        copies: &[],
-        mirrors: &[],
         list_starts: list.starts(),
         list_neighbors: list.indices(),
+        ..FluidFields::default()
     };
     let (dt, mut accelerations) = (1e-3, vec![SVector::zeros(); positions.len()]);
     FluidSweep::new(cloud.controls).unwrap().accelerations(&fields, &mut densities, dt, &mut accelerations);

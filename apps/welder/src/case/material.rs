@@ -22,6 +22,12 @@ pub struct MaterialCard {
     /// Temperature in kelvin at which the melt boils, at one atmosphere.
     #[serde(default)]
     pub boiling_k: Option<Quantity>,
+    /// Heat of evaporation in J/kg; read where a face evaporates and where a keyhole is to be told, as is the one below.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heat_of_evaporation_j_kg: Option<Quantity>,
+    /// Molar mass of the vapour in kg/mol.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub molar_mass_kg_mol: Option<Quantity>,
     /// Specific heat capacity of the solid in J/(kg K).
     pub heat_capacity_solid_j_kg_k: Property,
     /// Specific heat capacity of the melt in J/(kg K).
@@ -32,11 +38,11 @@ pub struct MaterialCard {
     pub conductivity_liquid_w_m_k: Property,
     /// Dynamic viscosity of the melt in Pa s; read by Flow alone, as are the two below.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub viscosity_pa_s: Option<Quantity>,
-    /// Surface tension of the melt at the liquidus in N/m.
+    pub viscosity_pa_s: Option<Property>,
+    /// Surface tension of the melt in N/m: a value at the liquidus with the slope below, or a table over temperature without.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub surface_tension_n_m: Option<Quantity>,
-    /// Change of the surface tension with temperature in N/(m K), mostly negative.
+    pub surface_tension_n_m: Option<Property>,
+    /// Change of the surface tension with temperature in N/(m K), mostly negative; only with a value of the tension.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surface_tension_slope_n_m_k: Option<Quantity>,
     /// Young's modulus of the solid in Pa, constant in the model; read by Stress alone, as are those below.
@@ -62,19 +68,21 @@ impl MaterialCard {
             ("liquidus_k", &self.liquidus_k),
             ("latent_heat_j_kg", &self.latent_heat_j_kg),
         ];
-        all.extend(self.boiling_k.as_ref().map(|boiling| ("boiling_k", boiling)));
-        let melt = [
-            ("viscosity_pa_s", &self.viscosity_pa_s),
-            ("surface_tension_n_m", &self.surface_tension_n_m),
-            ("surface_tension_slope_n_m_k", &self.surface_tension_slope_n_m_k),
+        let vapour = [
+            ("boiling_k", &self.boiling_k),
+            ("heat_of_evaporation_j_kg", &self.heat_of_evaporation_j_kg),
+            ("molar_mass_kg_mol", &self.molar_mass_kg_mol),
         ];
-        all.extend(melt.into_iter().filter_map(|(name, value)| Some((name, value.as_ref()?))));
+        all.extend(vapour.into_iter().filter_map(|(name, value)| Some((name, value.as_ref()?))));
+        all.extend(
+            self.surface_tension_slope_n_m_k.as_ref().map(|slope| ("surface_tension_slope_n_m_k", slope)),
+        );
         all.extend(self.young_pa.as_ref().map(|young| ("young_pa", young)));
         all.extend(self.poisson.as_ref().map(|poisson| ("poisson", poisson)));
         all
     }
 
-    /// The values that may depend on temperature, with the names of their fields; those of Stress only when they are given.
+    /// The values that may depend on temperature, with the names of their fields; those that may be left out only when they are given.
     pub fn properties(&self) -> Vec<(&'static str, &Property)> {
         let mut all = vec![
             ("heat_capacity_solid_j_kg_k", &self.heat_capacity_solid_j_kg_k),
@@ -82,8 +90,13 @@ impl MaterialCard {
             ("conductivity_solid_w_m_k", &self.conductivity_solid_w_m_k),
             ("conductivity_liquid_w_m_k", &self.conductivity_liquid_w_m_k),
         ];
-        all.extend(self.expansion_1_k.as_ref().map(|expansion| ("expansion_1_k", expansion)));
-        all.extend(self.yield_pa.as_ref().map(|strength| ("yield_pa", strength)));
+        let optional = [
+            ("viscosity_pa_s", &self.viscosity_pa_s),
+            ("surface_tension_n_m", &self.surface_tension_n_m),
+            ("expansion_1_k", &self.expansion_1_k),
+            ("yield_pa", &self.yield_pa),
+        ];
+        all.extend(optional.into_iter().filter_map(|(name, property)| Some((name, property.as_ref()?))));
         all
     }
 }

@@ -110,7 +110,7 @@ pub enum Face {
         /// Heat into the part in W/m2; negative: out of it.
         flux_w_m2: f64,
     },
-    /// Convection and radiation to the surroundings.
+    /// Convection and radiation to the surroundings, and evaporation into them.
     Losses {
         /// Heat transfer coefficient in W/(m2 K). Default: 0.
         #[serde(default)]
@@ -121,6 +121,10 @@ pub enum Face {
         /// Temperature of the surroundings in kelvin. Default: 293.
         #[serde(default = "room_temperature_k")]
         ambient_k: f64,
+        /// Whether the melt evaporates, which takes heat; the material must give boiling_k, heat_of_evaporation_j_kg and
+        /// molar_mass_kg_mol. Default: false.
+        #[serde(default)]
+        evaporation: bool,
     },
 }
 

@@ -52,6 +52,9 @@ pub fn validate(
         if scene.flow().is_some() {
             problems.extend(flow::check_card(card));
         }
+        if faces::evaporates(scene) {
+            problems.extend(faces::check_card(card));
+        }
         if scene.stress().is_some() {
             problems.extend(stress::check_card(card));
         }

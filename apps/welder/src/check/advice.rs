@@ -1,9 +1,9 @@
 //! Which effects matter in a case and which can be left out, and what leaving them out costs at most.
 
 use super::estimates::{Scales, coupling, radiation_coefficient};
-use crate::case::scene::Face;
+use crate::case::scene::{Face, Flow};
 use crate::case::{Case, MaterialCard};
-use crate::model::{Model, marangoni_speed};
+use crate::model::{FlowModel, Model, marangoni_speed};
 use crate::run::solid_scales;
 use laser_source::Beam;
 use serde::Serialize;
@@ -105,7 +105,7 @@ pub(super) fn advice(case: &Case, model: &Model) -> Vec<Advice> {
     let card = &case.materials[0].card;
     let hot = Hot::new(model, &scales);
     let peak = hot.temperature;
-    let optional = [latent_heat(model, peak), boiling(card, peak), movement(&scales)];
+    let optional = [latent_heat(model, peak), evaporation(model, card, &hot, &scales), movement(&scales)];
     let mut all: Vec<_> = optional.into_iter().flatten().collect();
     all.push(bottom(&hot, &scales));
     all.push(losses(model.faces.top, card, &hot, &scales));
@@ -206,17 +206,31 @@ fn latent_heat(model: &Model, peak: f64) -> Option<Advice> {
     })
 }
 
-fn boiling(card: &MaterialCard, peak: f64) -> Option<Advice> {
+/// How near the surface is to boiling, and, where the card tells how the melt evaporates, what that takes away at most.
+fn evaporation(model: &Model, card: &MaterialCard, hot: &Hot, scales: &Scales) -> Option<Advice> {
     let boiling = card.boiling_k.as_ref()?.value;
-    let over = peak > boiling;
-    let text = format!(
+    let over = hot.temperature > boiling;
+    let mut text = format!(
         "the estimate is {:.0} K {} the boiling point, {boiling:.0} K",
-        (peak - boiling).abs(),
+        (hot.temperature - boiling).abs(),
         if over { "over" } else { "below" }
     );
-    let cost =
-        if over { "; it is not computed, and a peak above boiling is no longer conduction mode" } else { "" };
-    Some(Advice::new(Effect::Evaporation, Some(over), text + cost))
+    if over {
+        text += "; a peak above boiling is no longer conduction mode";
+    }
+    let Some(vapour) = &model.evaporation[0] else {
+        let more =
+            "; the card lacks heat_of_evaporation_j_kg or molar_mass_kg_mol, so that its heat is not judged";
+        return Some(Advice::new(Effect::Evaporation, Some(over), text + more));
+    };
+    let listed = matches!(model.faces.top, Face::Losses { evaporation: true, .. });
+    let share = hot.share(-scales.losses_fall(|rise| vapour.flux(hot.at(rise).min(boiling))));
+    text += &format!(
+        "; evaporation, which the case {}, takes away up to {:.2} % of the rise (bound, as for the losses)",
+        if listed { "computes" } else { "leaves out" },
+        100.0 * share
+    );
+    Some(Advice::new(Effect::Evaporation, Some(over || share > NEGLIGIBLE), text).at_most(Bound::Rise(share)))
 }
 
 fn bottom(hot: &Hot, scales: &Scales) -> Advice {
@@ -238,7 +252,7 @@ fn losses(top: Face, card: &MaterialCard, hot: &Hot, scales: &Scales) -> Advice 
     let boiling = card.boiling_k.as_ref().map_or(f64::INFINITY, |boiling| boiling.value);
     let hottest = hot.temperature.min(boiling);
     let (convection, emissivity, ambient, whose) = match top {
-        Face::Losses { convection_w_m2_k, emissivity, ambient_k } => {
+        Face::Losses { convection_w_m2_k, emissivity, ambient_k, .. } => {
             (convection_w_m2_k, emissivity, ambient_k, "the top face's losses")
         }
         _ => (0.0, 1.0, ROOM_K, "radiation of a black top face, which the case leaves out,"),
@@ -277,8 +291,10 @@ fn movement(scales: &Scales) -> Option<Advice> {
 
 /// Heat that Marangoni flow carries over heat that is conducted, v w/a, by [`marangoni_speed`].
 fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Scales) -> Advice {
-    let (Some(viscosity), Some(slope)) = (&card.viscosity_pa_s, &card.surface_tension_slope_n_m_k) else {
-        let text = "not judged: the card lacks viscosity_pa_s or surface_tension_slope_n_m_k";
+    let settings = case.scene.flow().copied().unwrap_or_default();
+    let as_it_is = Flow { viscosity_factor: 1.0, ..settings };
+    let Ok(flow) = FlowModel::of_card(&as_it_is, card) else {
+        let text = "not judged: the card lacks viscosity_pa_s or a surface tension over temperature";
         return Advice::new(Effect::Flow, None, text.into());
     };
     let material = &model.materials[0];
@@ -287,8 +303,8 @@ fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Sca
     if excess <= 0.0 {
         return Advice::new(Effect::Flow, Some(false), "nothing melts".into());
     }
-    let (pull, density) = (slope.value.abs() * excess, material.density);
-    let speed = marangoni_speed(pull, density, viscosity.value, scales.radius);
+    let density = material.density;
+    let speed = marangoni_speed(flow.pull(excess), density, flow.viscosity_at_liquidus(), scales.radius);
     let liquid = material.heat_capacity_liquid.at(material.liquidus);
     let peclet = speed * scales.radius * density * liquid / material.conductivity(material.liquidus);
     let listed = case.scene.flow().is_some();
@@ -298,7 +314,8 @@ fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Sca
         }
         _ => "",
     };
-    let way = if slope.value < 0.0 { "outwards" } else { "inwards" };
+    let outwards = flow.tension.at(hottest) < flow.tension_at_liquidus();
+    let way = if outwards { "outwards" } else { "inwards" };
     Advice::new(
         Effect::Flow,
         Some(peclet > 1.0),

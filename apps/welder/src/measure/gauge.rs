@@ -66,7 +66,8 @@ pub struct Gauge {
     sampler: Sampler,
     patches: Option<SurfacePatches>,
     /// What leaves through the top face to the surroundings.
-    loss: Option<SurfaceLoss>,
+    /// Loss of the top face for each material, if it has one.
+    losses: Vec<SurfaceLoss>,
     flux: Vec<f64>,
     now: Grid,
     peak: Grid,
@@ -140,7 +141,7 @@ impl Gauge {
             melting: melting(model, workpiece, grid(0.0)),
             sampler: Sampler::new(workpiece, &model.faces),
             patches,
-            loss: top_loss(model)?,
+            losses: top_losses(model)?,
             flux: vec![0.0; nx * ny],
             now: grid(0.0),
             peak: grid(f64::NEG_INFINITY),
@@ -309,11 +310,12 @@ impl Gauge {
             let second = if self.counts[2] > 1 { self.now.nodes[layer + column] } else { first };
             let surface = |flux: f64| surface_potential((z1, first), (z2, second), flux);
             let entering = self.flux[column];
-            self.now.surface[column] = match &self.loss {
+            let material = self.material(column);
+            self.now.surface[column] = match self.losses.get(material) {
                 // The law is linear in the flux: what it gives without one, and what one lifts it by.
                 Some(loss) => {
                     let (still, lift) = (surface(0.0), surface_potential((z1, 0.0), (z2, 0.0), 1.0));
-                    let curve = &self.curves[self.material(column)];
+                    let curve = &self.curves[material];
                     curve.potential_at(surface_temperature(curve, still, entering, lift, loss))
                 }
                 None => surface(entering),
@@ -543,14 +545,10 @@ fn melting(model: &Model, workpiece: &Workpiece, grid: Grid) -> Option<Melting> 
     })
 }
 
-/// The loss of the top face, if it has one.
-fn top_loss(model: &Model) -> Result<Option<SurfaceLoss>, ModelError> {
-    match model.faces.top {
-        Face::Losses { convection_w_m2_k, emissivity, ambient_k } => {
-            Ok(Some(SurfaceLoss::new(convection_w_m2_k, emissivity, ambient_k)?))
-        }
-        _ => Ok(None),
-    }
+/// The loss of the top face for each material, if it has one.
+fn top_losses(model: &Model) -> Result<Vec<SurfaceLoss>, ModelError> {
+    let loss = |material| model.surface_loss(model.faces.top, material).transpose();
+    (0..model.curves.len()).filter_map(loss).collect()
 }
 
 fn keep_largest(peak: &mut [f64], now: &[f64]) {

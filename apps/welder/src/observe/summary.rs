@@ -18,6 +18,8 @@ pub enum Status {
     Failed,
     /// It came to its end, but an audit failed.
     AuditFailed,
+    /// It was ended where vapour began to open a keyhole: the model, which is of conduction mode, does not hold any more.
+    DeepPenetration,
 }
 
 /// The result of a run. A number that is not finite becomes `null`.
@@ -219,10 +221,20 @@ pub struct Energy {
     pub lost_j: f64,
     /// Stored as motion.
     pub kinetic_j: f64,
+    /// Stored as compression of the melt.
+    pub compression_j: f64,
+    /// Work of surface tension and its change with temperature on the melt since the start.
+    pub surface_work_j: f64,
+    /// Work of gravity on the melt since the start.
+    pub gravity_work_j: f64,
+    /// Heat that friction in the melt has made since the start, and the motion of what froze; part of what is stored.
+    pub dissipated_j: f64,
     /// Stored as strain.
     pub strain_j: f64,
-    /// What cannot be accounted for, over the energy turned over (absorbed, lost or moved inside, whichever is largest).
+    /// Heat that cannot be accounted for, over the energy turned over (absorbed, lost or moved inside, whichever is largest).
     pub residual_rel: f64,
+    /// Work on the melt that is neither motion nor compression nor heat, over the same: what its scheme loses or gains.
+    pub mechanical_residual_rel: f64,
 }
 
 impl<Outcome: Serialize> Summary<Outcome> {

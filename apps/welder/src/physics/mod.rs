@@ -88,8 +88,14 @@ pub enum Column<const D: usize> {
 pub struct Mechanics {
     /// Kinetic energy of the flow \[J\].
     pub kinetic: f64,
+    /// Energy of the compression of the melt \[J\].
+    pub compression: f64,
+    /// What forces have done to the melt so far.
+    pub work: Work,
     /// Speed of the fastest particle \[m/s\].
     pub largest_speed: f64,
+    /// Artificial speed of sound of the melt \[m/s\].
+    pub sound_speed: f64,
     /// Elastic energy \[J\].
     pub strain: f64,
     /// Kinetic energy of a body that settles over its elastic energy \[-\]: how far it is from equilibrium.
@@ -108,13 +114,50 @@ impl Mechanics {
     pub fn with(self, other: Self) -> Self {
         Self {
             kinetic: self.kinetic + other.kinetic,
+            compression: self.compression + other.compression,
+            work: self.work.with(other.work),
             largest_speed: self.largest_speed.max(other.largest_speed),
+            sound_speed: self.sound_speed.max(other.sound_speed),
             strain: self.strain + other.strain,
             unrest: self.unrest.max(other.unrest),
             largest_displacement: self.largest_displacement.max(other.largest_displacement),
             largest_von_mises: self.largest_von_mises.max(other.largest_von_mises),
             largest_plastic_strain: self.largest_plastic_strain.max(other.largest_plastic_strain),
         }
+    }
+}
+
+/// What forces have done to the melt \[J\], mirror images not counted.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Work {
+    /// Work of surface tension.
+    pub tension: f64,
+    /// Work of the change of tension with temperature.
+    pub marangoni: f64,
+    /// Work of gravity.
+    pub gravity: f64,
+    /// Heat made by friction, artificial viscosity included.
+    pub dissipated: f64,
+    /// Motion and compression that melt gave up when it froze; heat from then on.
+    pub frozen: f64,
+}
+
+impl Work {
+    /// Both together.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            tension: self.tension + other.tension,
+            marangoni: self.marangoni + other.marangoni,
+            gravity: self.gravity + other.gravity,
+            dissipated: self.dissipated + other.dissipated,
+            frozen: self.frozen + other.frozen,
+        }
+    }
+
+    /// What the melt holds by now, in motion and compression, if its scheme loses nothing.
+    pub fn kept(&self) -> f64 {
+        self.tension + self.marangoni + self.gravity - self.dissipated - self.frozen
     }
 }
 
@@ -131,6 +174,8 @@ pub struct Exchange {
     pub missed: f64,
     /// Heat given to faces of given flux or temperature (negative: taken up) and lost to the surroundings.
     pub lost: f64,
+    /// Heat made of other forms of energy inside the part.
+    pub made: f64,
 }
 
 impl Exchange {
@@ -141,6 +186,7 @@ impl Exchange {
         self.reflected += step.reflected;
         self.missed += step.missed;
         self.lost += step.lost;
+        self.made += step.made;
     }
 }
 

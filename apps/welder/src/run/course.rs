@@ -52,6 +52,7 @@ enum Ending {
     Until,
     Interrupted,
     Failed,
+    Left,
 }
 
 /// A moment of a run at which observers look.
@@ -176,10 +177,13 @@ impl<const D: usize, S: Scenario<D>> Course<D, S> {
     pub fn go(&mut self, until: Option<f64>) -> Result<ExitStatus, RunError> {
         self.show(Moment::Init)?;
         let ending = self.time_loop(until)?;
-        self.scenario.warnings().iter().for_each(|warning| tracing::warn!("{warning}"));
+        if ending != Ending::Left {
+            self.scenario.warnings().iter().for_each(|warning| tracing::warn!("{warning}"));
+        }
         let audit = self.scenario.fault();
         let (status, exit) = match (ending, &audit) {
             (Ending::Failed, _) => (Status::Failed, ExitStatus::RunFailed),
+            (Ending::Left, None) => (Status::DeepPenetration, ExitStatus::RunFailed),
             (_, Some(_)) => (Status::AuditFailed, ExitStatus::AuditFailed),
             (Ending::Interrupted, None) => (Status::Interrupted, ExitStatus::Interrupted),
             (Ending::Until, None) => (Status::Interrupted, ExitStatus::Done),
@@ -221,6 +225,10 @@ impl<const D: usize, S: Scenario<D>> Course<D, S> {
             }
             if let Some(problem) = self.scenario.problem().or_else(|| self.spent()) {
                 return self.fail(&problem);
+            }
+            if let Some(left) = self.scenario.left_the_model() {
+                tracing::error!("{left}");
+                return Ok(Ending::Left);
             }
             self.show(Moment::Step)?;
             if self.checkpoint_due.is_due(self.scenario.time()) {

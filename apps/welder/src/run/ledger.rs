@@ -2,10 +2,13 @@
 
 use crate::model::Model;
 use crate::particles::Particles;
-use crate::physics::Exchange;
+use crate::physics::{Exchange, Mechanics};
 
 /// A residual above this share of the energy that was turned over fails the run's audit.
 pub const LARGEST_RESIDUAL: f64 = 1e-10;
+
+/// The same for the motion of the melt, whose scheme loses and gains a little.
+pub const LARGEST_MECHANICAL_RESIDUAL: f64 = 1e-6;
 
 /// Energies of the whole part, mirror images counted \[J\].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -20,17 +23,29 @@ pub struct Ledger {
     pub missed: f64,
     /// Heat lost through faces.
     pub lost: f64,
+    /// Heat made by friction, and by melt that stops as it freezes.
+    pub made: f64,
     /// Stored heat beyond the start, without the latent part.
     pub sensible: f64,
     /// Stored latent heat beyond the start.
     pub latent: f64,
-    /// (absorbed - lost - stored) over the energy turned over.
+    /// (absorbed + made - lost - stored) over the energy turned over.
     pub residual: f64,
+    /// What the melt holds in motion and compression.
+    pub moving: f64,
+    /// (work of tension and gravity - heat made - moving) over the energy turned over.
+    pub mechanical_residual: f64,
 }
 
 impl Ledger {
     /// Adds up the ledger; `copies` is the number of mirror images that make the whole part.
-    pub fn new(model: &Model, particles: &Particles<3>, exchange: &Exchange, copies: f64) -> Self {
+    pub fn new(
+        model: &Model,
+        particles: &Particles<3>,
+        exchange: &Exchange,
+        mechanics: &Mechanics,
+        copies: f64,
+    ) -> Self {
         let stored = pairwise(particles.len(), &|i| {
             particles.mass[i] * (particles.enthalpy[i] - particles.start_enthalpy[i])
         });
@@ -45,16 +60,21 @@ impl Ledger {
             particles.mass[i] * (particles.enthalpy[i] - particles.start_enthalpy[i]).abs()
         });
         let turned_over = moved.max(exchange.absorbed).max(exchange.lost.abs());
-        let missing = exchange.absorbed - exchange.lost - stored;
+        let share = |energy: f64| if turned_over > 0.0 { energy / turned_over } else { energy };
+        let moving = mechanics.kinetic + mechanics.compression;
+        let missing = exchange.absorbed + exchange.made - exchange.lost - stored;
         Self {
             emitted: copies * exchange.emitted,
             absorbed: copies * exchange.absorbed,
             reflected: copies * exchange.reflected,
             missed: copies * exchange.missed,
             lost: copies * exchange.lost,
+            made: copies * exchange.made,
             sensible: copies * (stored - latent),
             latent: copies * latent,
-            residual: if turned_over > 0.0 { missing / turned_over } else { missing },
+            residual: share(missing),
+            moving: copies * moving,
+            mechanical_residual: share(mechanics.work.kept() - moving),
         }
     }
 
@@ -65,6 +85,13 @@ impl Ledger {
             return Some(format!(
                 "the energy ledger is open by {:.2e} of the energy turned over; accepted: {LARGEST_RESIDUAL:.0e}",
                 self.residual
+            ));
+        }
+        if self.mechanical_residual.is_nan() || self.mechanical_residual.abs() > LARGEST_MECHANICAL_RESIDUAL {
+            return Some(format!(
+                "the motion of the melt holds {:.3e} J, and lacks {:.2e} of the energy turned over; accepted: \
+                 {LARGEST_MECHANICAL_RESIDUAL:.0e}",
+                self.moving, self.mechanical_residual
             ));
         }
         if light.is_nan() || light.abs() > 1e-6 * self.emitted.abs() {
@@ -106,6 +133,7 @@ mod tests {
         assert_eq!(closed.fault(), None);
         assert!(Ledger { residual: 2e-10, ..closed }.fault().unwrap().contains("ledger"));
         assert!(Ledger { residual: f64::NAN, ..closed }.fault().is_some());
+        assert!(Ledger { mechanical_residual: -2e-6, ..closed }.fault().unwrap().contains("motion"));
         assert!(Ledger { missed: 0.9, ..closed }.fault().unwrap().contains("missed"));
     }
 }

@@ -79,6 +79,12 @@ fn widened([low, high]: [[f64; 3]; 2], by: f64) -> [[f64; 3]; 2] {
     [low.map(|x| x - by), high.map(|x| x + by)]
 }
 
+/// Conduction alone over the whole run, at the coarsest spacing that still shows the pool: what an estimate is made with.
+pub(crate) fn coarse_conduction(model: &Model) -> Model {
+    let coarse = pilot_model(model).map(|pilot| Model { end: model.end, ..pilot });
+    Model { flow: None, stress: None, ..coarse.unwrap_or_else(|| model.clone()) }
+}
+
 /// The same scene with a coarser spacing, on a part cut down to whole coarse cells; `None` where that is no gain.
 fn pilot_model(model: &Model) -> Option<Model> {
     let radius = model.laser.as_ref()?.beam().radius_m();

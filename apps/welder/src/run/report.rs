@@ -8,12 +8,21 @@ use crate::physics::flow::SMOOTHING_RATIO;
 use sph_fluid::equivalent_viscosity;
 use std::collections::BTreeMap;
 
+/// What the summary says of vapour: recoil_over_tension, where the material tells.
+pub(super) fn vapour_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
+    let model = simulation.model();
+    let told = model.evaporation[0].is_some() && model.tension.is_some();
+    told.then(|| ("recoil_over_tension".to_string(), simulation.records().recoil_over_tension))
+        .into_iter()
+        .collect()
+}
+
 /// What the summary says of a weld.
 pub(super) fn outcome(simulation: &Simulation) -> WeldOutcome {
     let (records, ledger) = (simulation.records(), simulation.ledger());
     let (pool, solidus) = (sizes(&records.liquidus), sizes(&records.solidus));
     let weld = simulation.gauge().weld();
-    let (mechanics, copies) = (simulation.mechanics(), simulation.gauge().copies());
+    let (mechanics, copies) = (simulation.mechanics().unwrap_or_default(), simulation.gauge().copies());
     WeldOutcome {
         peak_temperature_k: records.peak_temperature,
         pool: Pool {
@@ -36,11 +45,16 @@ pub(super) fn outcome(simulation: &Simulation) -> WeldOutcome {
             sensible_j: ledger.sensible,
             latent_j: ledger.latent,
             lost_j: ledger.lost,
-            kinetic_j: mechanics.map_or(0.0, |mechanics| copies * mechanics.kinetic),
-            strain_j: mechanics.map_or(0.0, |mechanics| copies * mechanics.strain),
+            kinetic_j: copies * mechanics.kinetic,
+            compression_j: copies * mechanics.compression,
+            surface_work_j: copies * (mechanics.work.tension + mechanics.work.marangoni),
+            gravity_work_j: copies * mechanics.work.gravity,
+            dissipated_j: ledger.made,
+            strain_j: copies * mechanics.strain,
             residual_rel: ledger.residual,
+            mechanical_residual_rel: ledger.mechanical_residual,
         },
-        stress: mechanics.filter(|_| simulation.model().stress.is_some()).map(|mechanics| StressEnd {
+        stress: simulation.model().stress.is_some().then_some(StressEnd {
             max_von_mises_pa: mechanics.largest_von_mises,
             max_displacement_m: mechanics.largest_displacement,
             max_plastic_strain: mechanics.largest_plastic_strain,
@@ -61,21 +75,24 @@ pub(super) fn flow_numbers(simulation: &Simulation) -> BTreeMap<String, f64> {
     let (Some(flow), true) = (&model.flow, records.liquidus.width > 0.0) else { return BTreeMap::new() };
     let material = &model.materials[0];
     let (radius, speed) = (0.5 * records.liquidus.width, records.largest_speed);
-    let inertia = material.density * speed / flow.viscosity;
+    let (viscosity, tension) = (flow.viscosity_at_liquidus(), flow.tension_at_liquidus());
+    let inertia = material.density * speed / viscosity;
     let excess = records.peak_temperature - material.liquidus;
     let diffusivity = material.conductivity(material.liquidus)
         / (material.density * material.heat_capacity_liquid.at(material.liquidus));
-    let sound = flow.sound_speed(model);
+    let sound = simulation.mechanics().map_or(0.0, |mechanics| mechanics.sound_speed);
     let length = SMOOTHING_RATIO * model.spacing();
     let added = equivalent_viscosity::<3>(length, sound, flow.settings.artificial_viscosity);
     let mut numbers = vec![
         ("melt_steps", simulation.cost().melt_steps as f64),
-        ("friction_by_numerics", material.density * added / flow.viscosity),
+        ("friction_by_numerics", material.density * added / viscosity),
         ("reynolds", inertia * radius),
         ("cell_reynolds", inertia * model.spacing()),
-        ("mach", speed / sound),
-        ("marangoni", flow.tension.slope().abs() * excess * radius / (flow.viscosity * diffusivity)),
-        ("weber", material.density * speed * speed * radius / flow.tension.reference()),
+        ("sound_speed_m_s", sound),
+        ("mach", records.largest_mach),
+        ("compressed_by_rel", 0.5 * records.largest_mach.powi(2)),
+        ("marangoni", flow.pull(excess) * radius / (viscosity * diffusivity)),
+        ("weber", material.density * speed * speed * radius / tension),
     ];
     let particles = simulation.particles();
     let has_melted = |i: usize| model.curves[0].liquid_fraction(particles.peak_enthalpy[i]) >= 1.0;

@@ -52,6 +52,11 @@ pub trait Scenario<const D: usize> {
         None
     }
 
+    /// Where the scene has left what the model holds for, why; the run ends there, with a status of its own.
+    fn left_the_model(&self) -> Option<String> {
+        None
+    }
+
     /// Where to look when the run ends for a reason that has no place \[m\].
     fn focus(&self) -> Option<[f64; 3]> {
         None

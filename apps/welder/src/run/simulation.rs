@@ -1,5 +1,6 @@
 //! A simulation: particles, physics and gauge, advanced step by step.
 
+use super::regime::recoil_over_tension;
 use super::{Ledger, level_plan};
 use crate::build::{LevelPlan, Workpiece};
 use crate::measure::{Extent, Gauge, Measure};
@@ -23,6 +24,10 @@ pub struct Records {
     pub peak_temperature: f64,
     /// Largest speed of the melt \[m/s\].
     pub largest_speed: f64,
+    /// Largest speed of the melt over its artificial sound at the time \[-\].
+    pub largest_mach: f64,
+    /// Largest recoil of vapour over what tension holds \[-\]; zero where the material does not tell.
+    pub recoil_over_tension: f64,
     /// When the last melt froze \[s\].
     pub solidified_at: Option<f64>,
     /// The last measure.
@@ -138,7 +143,9 @@ impl Simulation {
         let before = self.records.now.over_solidus;
         let now = self.gauge.measure(&self.model, &self.workpiece.particles, self.time, step);
         let flow = if self.model.flow.is_some() { self.mechanics() } else { None };
+        let recoil = self.recoil_over_tension(&now);
         let records = &mut self.records;
+        records.recoil_over_tension = records.recoil_over_tension.max(recoil);
         if before > 0.0 && now.over_solidus <= 0.0 {
             records.solidified_at = Some(start + step * before / (before - now.over_solidus));
         } else if now.over_solidus > 0.0 {
@@ -148,7 +155,19 @@ impl Simulation {
         records.solidus = records.solidus.max(&now.solidus);
         records.peak_temperature = records.peak_temperature.max(now.peak_temperature);
         records.now = now;
-        records.largest_speed = flow.map_or(0.0, |flow| flow.largest_speed).max(records.largest_speed);
+        if let Some(flow) = flow {
+            records.largest_speed = records.largest_speed.max(flow.largest_speed);
+            records.largest_mach = records.largest_mach.max(flow.largest_speed / flow.sound_speed);
+        }
+    }
+
+    /// Recoil of vapour over what tension holds at a measure, by the tension of the part's own material.
+    fn recoil_over_tension(&self, now: &Measure) -> f64 {
+        let (Some(vapour), Some(tension)) = (&self.model.evaporation[0], &self.model.tension) else {
+            return 0.0;
+        };
+        let (radius, rim) = (0.5 * now.liquidus.width, self.model.materials[0].liquidus);
+        recoil_over_tension(vapour, tension.at(now.peak_temperature), radius, now.peak_temperature, rim)
     }
 
     /// Whether there is nothing left to do.
@@ -235,6 +254,7 @@ impl Simulation {
     pub fn ledger(&self) -> Ledger {
         let mut exchange = Exchange::default();
         self.physics.iter().for_each(|physics| exchange.add(&physics.energy()));
-        Ledger::new(&self.model, &self.workpiece.particles, &exchange, self.gauge.copies())
+        let mechanics = self.mechanics().unwrap_or_default();
+        Ledger::new(&self.model, &self.workpiece.particles, &exchange, &mechanics, self.gauge.copies())
     }
 }

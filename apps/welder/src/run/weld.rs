@@ -146,22 +146,42 @@ impl Scenario<3> for WeldRun {
         self.simulation.ledger().fault()
     }
 
-    /// Conduction mode ends where the surface boils: the numbers are then those of a weld that does not exist.
+    /// Conduction mode ends where the surface boils and the recoil of its vapour is more than tension can hold: the numbers from there
+    /// on would be those of a weld that does not exist.
+    fn left_the_model(&self) -> Option<String> {
+        let (peak, recoil) =
+            (self.simulation.records().peak_temperature, self.simulation.records().recoil_over_tension);
+        let boiling = self.boiling.filter(|&boiling| peak > boiling && recoil > 1.0)?;
+        Some(format!(
+            "deep penetration at t = {:.6e} s: the surface has reached {peak:.0} K, above the boiling point of {boiling:.0} K, and its \
+             vapour presses {recoil:.1} times as hard as tension can hold: a keyhole opens, which this model of conduction mode does \
+             not compute; use less power, a wider beam or more speed",
+            self.time()
+        ))
+    }
+
     fn warnings(&self) -> Vec<String> {
         let peak = self.simulation.records().peak_temperature;
+        let recoil = self.simulation.records().recoil_over_tension;
         let tell = |boiling: f64| {
             format!(
-                "the surface reached {peak:.0} K, above the boiling point of {boiling:.0} K: evaporation and a keyhole, \
-                 which are not computed, would change this weld"
+                "the surface reached {peak:.0} K, above the boiling point of {boiling:.0} K: it evaporates (evaporation: true of \
+                 its Losses computes the heat of that), and its vapour dents it, which is not computed"
             )
         };
         let boils = self.boiling.filter(|&boiling| peak > boiling).map(tell);
+        let dents = (boils.is_none() && recoil > 1.0).then(|| {
+            format!(
+                "at {peak:.0} K the surface does not boil yet, but its vapour presses {recoil:.1} times as hard as tension can hold: \
+                 the dent is not computed"
+            )
+        });
         let mach = report::flow_numbers(&self.simulation).get("mach").copied().unwrap_or(0.0);
         let compressed = format!(
             "the melt reached {mach:.2} of its artificial sound: it is compressed by {:.1} %; set sound_speed_m_s of Flow higher",
             50.0 * mach * mach
         );
-        boils.into_iter().chain((mach > LARGEST_MACH).then_some(compressed)).collect()
+        boils.into_iter().chain(dents).chain((mach > LARGEST_MACH).then_some(compressed)).collect()
     }
 
     fn save(&self, case_digest: u32) -> Result<Checkpoint, CheckpointError> {
@@ -210,6 +230,7 @@ impl Scenario<3> for WeldRun {
     fn numbers(&self) -> BTreeMap<String, f64> {
         let mut numbers = report::numbers(self.simulation.model());
         numbers.extend(report::flow_numbers(&self.simulation));
+        numbers.extend(report::vapour_numbers(&self.simulation));
         numbers
     }
 

@@ -2,8 +2,8 @@
 
 use super::coupled::{cycles, gallium, gate, grid, nist_tracks, rest};
 use super::heat::{
-    constant_flux, cosine_decay, gaussian_field, gaussian_spot, half_spaces, moving_gaussian, mushy_stefan,
-    stefan, top_hat,
+    constant_flux, cosine_decay, evaporation, gaussian_field, gaussian_spot, half_spaces, moving_gaussian,
+    mushy_stefan, stefan, top_hat,
 };
 use super::melt::{cavities, channels, drops, layers, pools, surfaces, vortices, warmths, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
@@ -14,6 +14,7 @@ static BENCHMARKS: &[Benchmark] = &[
     cosine_decay::DISORDERED,
     half_spaces::BENCHMARK,
     constant_flux::BENCHMARK,
+    evaporation::BENCHMARK,
     gaussian_spot::BENCHMARK,
     gaussian_field::BENCHMARK,
     top_hat::BENCHMARK,

@@ -2,7 +2,7 @@
 
 use super::BenchmarkError;
 use crate::case::scene::{Faces, Flow, Heat, Levels, Resolution, Stepping};
-use crate::model::{FlowModel, Model, ModelError, Start};
+use crate::model::{FlowModel, Model, ModelError, Start, TensionLaw};
 use crate::run::Simulation;
 use laser_source::{Absorption, Beam, LaserSource, Path, Pulse};
 use sph_fluid::SurfaceTension;
@@ -48,8 +48,9 @@ pub fn reference_aluminium() -> ThermalMaterial {
 /// # Errors
 /// [`ModelError`] when the tension is refused.
 pub(super) fn reference_flow(slope: f64) -> Result<FlowModel, ModelError> {
-    let tension = SurfaceTension::new(0.9, -3.5e-4 * slope, reference_aluminium().liquidus)?;
-    Ok(FlowModel { settings: Flow::default(), viscosity: 2.6e-2, tension })
+    let liquidus = reference_aluminium().liquidus;
+    let tension = TensionLaw::Linear(SurfaceTension::new(0.9, -3.5e-4 * slope, liquidus)?);
+    Ok(FlowModel { settings: Flow::default(), viscosity: constant(2.6e-2), tension, liquidus })
 }
 
 pub(super) fn constant(value: f64) -> Table {
@@ -68,6 +69,8 @@ pub fn block(counts: [usize; 3], spacing: f64, materials: Vec<ThermalMaterial>) 
         size: counts.map(|count| count as f64 * spacing),
         faces: Faces::default(),
         resolution: Resolution { spacing_m: spacing, levels: Levels::Uniform, disorder: 0.0, seed: 1 },
+        evaporation: vec![None; materials.len()],
+        tension: None,
         materials,
         curves,
         start: uniform_start(START),

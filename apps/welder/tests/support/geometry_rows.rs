@@ -13,6 +13,7 @@ pub const FACES: &[Row] = &[
     ),
     ("y_min: Symmetry", "top: FixedTemperature(temperature_k: 300)", "FixedT", &["part.faces.top", "laser"]),
     ("y_min: Symmetry", "top: Losses(emissivity: 2)", "2)", &["part.faces.top.emissivity", "0 to 1"]),
+    ("y_min: Symmetry", "top: Losses(evaporation: 1)", "1)", &["part.faces.top.evaporation", "true"]),
     ("y_min: Symmetry", "top: Losses(ambient_k: 20)", "20)", &["part.faces.top.ambient_k", "Celsius"]),
     ("y_min: Symmetry", "top: Flux(flux_w_m2: NaN)", "NaN", &["part.faces.top.flux_w_m2", "finite"]),
 ];

@@ -17,6 +17,31 @@ pub const MATERIALS: &[Row] = &[
     ("3.97e5", "-3.97e5", "-3.97e5", &["latent_heat_j_kg.value", "negative"]),
     ("3.97e5", "397", "397", &["latent_heat_j_kg.value", "kJ/kg or J/g (then write 3.97e5)"]),
     ("2790.0", "880.0", "880.0", &["boiling_k.value", "liquidus"]),
+    (
+        "    heat_capacity_solid",
+        "    heat_of_evaporation_j_kg: (value: 10900.0, source: \"test\"),\n    heat_capacity_solid",
+        "10900.0",
+        &["heat_of_evaporation_j_kg.value", "kJ/kg or J/g (then write 1.09e7)"],
+    ),
+    (
+        "    heat_capacity_solid",
+        "    molar_mass_kg_mol: (value: 26.98, source: \"test\"),\n    heat_capacity_solid",
+        "26.98",
+        &["molar_mass_kg_mol.value", "g/mol (then write 0.02698)"],
+    ),
+    (
+        "    heat_capacity_solid",
+        "    surface_tension_n_m: (value: 0.9, source: \"test\"),\n    heat_capacity_solid",
+        "(value: 0.9",
+        &["surface_tension_n_m", "add surface_tension_slope_n_m_k", "as a table"],
+    ),
+    (
+        "    heat_capacity_solid",
+        "    surface_tension_n_m: (table: [(905.0, 0.9), (1905.0, 0.55)], source: \"test\"),\n    \
+         surface_tension_slope_n_m_k: (value: -3.5e-4, source: \"test\"),\n    heat_capacity_solid",
+        "(value: -3.5e-4",
+        &["surface_tension_slope_n_m_k", "is a table"],
+    ),
     ("value: 200.0", "value: 0.2", "0.2", &["conductivity_solid_w_m_k.value", "W/(mm K) (then write 200)"]),
     (
         "value: 200.0",

@@ -6,7 +6,7 @@
 
 use super::Fields;
 use super::artificial_viscosity::artificial_term;
-use super::viscosity::{Friction, shear_scale, shear_term, strain_scale, strain_term};
+use super::viscosity::{Friction, Viscosity, shear_scale, shear_term, strain_scale, strain_term};
 use nalgebra::SVector;
 use sph_kernel::{Row, ScaledKernel};
 
@@ -21,17 +21,17 @@ pub fn friction_heating<const D: usize>(
     seen: &[SVector<f64, D>],
     mobile: usize,
     friction: Friction,
-    dynamic_viscosity: f64,
+    viscosity: Viscosity<'_>,
 ) -> f64 {
     let a = row.index;
     match friction {
         Friction::Shear => {
-            shear_scale(fields, a, dynamic_viscosity)
-                * work(row, fields, mobile, |k| shear_term(row, fields, seen, k))
+            shear_scale(fields, a)
+                * work(row, fields, mobile, |k| shear_term(row, fields, seen, viscosity, k))
         }
         Friction::Strain => {
-            strain_scale(fields, a, dynamic_viscosity)
-                * work(row, fields, mobile, |k| strain_term(row, fields, seen, k))
+            strain_scale(fields, a)
+                * work(row, fields, mobile, |k| strain_term(row, fields, seen, viscosity, k))
         }
     }
 }
@@ -75,6 +75,8 @@ mod tests {
     use crate::test_block::Block;
     use crate::{artificial_acceleration, strain_acceleration, viscous_acceleration};
 
+    const EVEN: Viscosity<'static> = Viscosity::Even(0.6);
+
     /// sum m (a.v + q) over sum m |a.v|, and the least heat.
     fn balance<const D: usize>(
         block: &Block<D>,
@@ -94,12 +96,12 @@ mod tests {
         let kernel = Block::<3>::kernel();
         let pairs = [
             (
-                block.map_rows(|row| viscous_acceleration(row, &fields, seen, 0.6)),
-                block.map_rows(|row| friction_heating(row, &fields, seen, all, Friction::Shear, 0.6)),
+                block.map_rows(|row| viscous_acceleration(row, &fields, seen, EVEN)),
+                block.map_rows(|row| friction_heating(row, &fields, seen, all, Friction::Shear, EVEN)),
             ),
             (
-                block.map_rows(|row| strain_acceleration(row, &fields, seen, 0.6)),
-                block.map_rows(|row| friction_heating(row, &fields, seen, all, Friction::Strain, 0.6)),
+                block.map_rows(|row| strain_acceleration(row, &fields, seen, EVEN)),
+                block.map_rows(|row| friction_heating(row, &fields, seen, all, Friction::Strain, EVEN)),
             ),
             (
                 block.map_rows(|row| artificial_acceleration(row, &fields, &kernel, 9.0, 0.2)),
@@ -123,9 +125,9 @@ mod tests {
         let (mut taken, mut heat) = (0.0, 0.0);
         for i in 0..mobile {
             block.with_row(i, |row| {
-                let force = viscous_acceleration(row, &fields, &block.velocities, 0.6) * block.masses[i];
+                let force = viscous_acceleration(row, &fields, &block.velocities, EVEN) * block.masses[i];
                 taken -= force.dot(&velocities[i]);
-                let own = friction_heating(row, &fields, &block.velocities, mobile, Friction::Shear, 0.6);
+                let own = friction_heating(row, &fields, &block.velocities, mobile, Friction::Shear, EVEN);
                 heat += own * block.masses[i];
             });
         }

@@ -28,5 +28,5 @@ pub use step_limits::{
     force_step, viscous_step,
 };
 pub use thermal_expansion::ThermalExpansion;
-pub use viscosity::{Friction, strain_acceleration, viscous_acceleration};
+pub use viscosity::{Friction, Viscosity, strain_acceleration, viscous_acceleration};
 pub use wall::{WallState, wall_state, wall_velocity};

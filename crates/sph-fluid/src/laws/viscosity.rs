@@ -14,9 +14,30 @@ pub enum Friction {
     Strain,
 }
 
-/// sum_b m_b 2 eta/(rho_a rho_b) (W'/r) (v_a - v_b) \[m/s^2\] (Morris, Fox and Zhu 1997, eq. 22, for one viscosity).
+/// Dynamic viscosity eta \[Pa s\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Viscosity<'a> {
+    /// The same everywhere.
+    Even(f64),
+    /// One of each particle: of a melt whose temperature changes it.
+    Each(&'a [f64]),
+}
+
+impl Viscosity<'_> {
+    /// Mean of two particles \[Pa s\]: with it the sum over pairs is div(eta grad v) to second order where eta is smooth.
+    #[inline]
+    #[must_use]
+    pub fn between(&self, a: usize, b: usize) -> f64 {
+        match self {
+            Self::Even(viscosity) => *viscosity,
+            Self::Each(viscosities) => 0.5 * (viscosities[a] + viscosities[b]),
+        }
+    }
+}
+
+/// sum_b m_b (eta_a + eta_b)/(rho_a rho_b) (W'/r) (v_a - v_b) \[m/s^2\] (Morris, Fox and Zhu 1997, eq. 22).
 ///
-/// `dynamic_viscosity` eta \[Pa s\]. `velocities` \[m/s\] are those that friction sees: a particle's own for fluid, and the
+/// `velocities` \[m/s\] are those that friction sees: a particle's own for fluid, and the
 /// extrapolated [`wall_velocity`](crate::wall_velocity) for walls, so that the fluid is at rest at the face and not at
 /// the first row of the wall. Morris adds 0.01 h^2 to r^2, which is left out: W'/r is finite at r = 0.
 #[inline]
@@ -25,10 +46,11 @@ pub fn viscous_acceleration<const D: usize>(
     row: &Row<'_, D>,
     fields: &Fields<'_, D>,
     velocities: &[SVector<f64, D>],
-    dynamic_viscosity: f64,
+    viscosity: Viscosity<'_>,
 ) -> SVector<f64, D> {
-    let sum: SVector<f64, D> = (0..row.len()).map(|k| shear_term(row, fields, velocities, k)).sum();
-    sum * shear_scale(fields, row.index, dynamic_viscosity)
+    let sum: SVector<f64, D> =
+        (0..row.len()).map(|k| shear_term(row, fields, velocities, viscosity, k)).sum();
+    sum * shear_scale(fields, row.index)
 }
 
 /// What neighbour k adds to the sum of [`viscous_acceleration`].
@@ -37,14 +59,16 @@ pub(super) fn shear_term<const D: usize>(
     row: &Row<'_, D>,
     fields: &Fields<'_, D>,
     velocities: &[SVector<f64, D>],
+    viscosity: Viscosity<'_>,
     k: usize,
 ) -> SVector<f64, D> {
-    let b = row.neighbors[k] as usize;
-    (velocities[row.index] - velocities[b]) * (fields.volumes[b] * row.gradient_factors[k])
+    let (a, b) = (row.index, row.neighbors[k] as usize);
+    let weight = viscosity.between(a, b) * fields.volumes[b] * row.gradient_factors[k];
+    (velocities[a] - velocities[b]) * weight
 }
 
-pub(super) fn shear_scale<const D: usize>(fields: &Fields<'_, D>, a: usize, dynamic_viscosity: f64) -> f64 {
-    2.0 * dynamic_viscosity / fields.densities[a]
+pub(super) fn shear_scale<const D: usize>(fields: &Fields<'_, D>, a: usize) -> f64 {
+    2.0 / fields.densities[a]
 }
 
 /// sum_b V_b 2 (D + 2) (eta/rho_a) (v_ab.r_ab/r^2) grad_a W \[m/s^2\], along the line of each pair (Monaghan and Gingold 1983,
@@ -61,10 +85,11 @@ pub fn strain_acceleration<const D: usize>(
     row: &Row<'_, D>,
     fields: &Fields<'_, D>,
     velocities: &[SVector<f64, D>],
-    dynamic_viscosity: f64,
+    viscosity: Viscosity<'_>,
 ) -> SVector<f64, D> {
-    let sum: SVector<f64, D> = (0..row.len()).map(|k| strain_term(row, fields, velocities, k)).sum();
-    sum * strain_scale(fields, row.index, dynamic_viscosity)
+    let sum: SVector<f64, D> =
+        (0..row.len()).map(|k| strain_term(row, fields, velocities, viscosity, k)).sum();
+    sum * strain_scale(fields, row.index)
 }
 
 /// What neighbour k adds to the sum of [`strain_acceleration`].
@@ -73,6 +98,7 @@ pub(super) fn strain_term<const D: usize>(
     row: &Row<'_, D>,
     fields: &Fields<'_, D>,
     velocities: &[SVector<f64, D>],
+    viscosity: Viscosity<'_>,
     k: usize,
 ) -> SVector<f64, D> {
     let (b, separation) = (row.neighbors[k] as usize, &row.separations[k]);
@@ -82,11 +108,11 @@ pub(super) fn strain_term<const D: usize>(
         return SVector::zeros();
     }
     let closing = (velocities[row.index] - velocities[b]).dot(separation) / distance_squared;
-    separation * (fields.volumes[b] * row.gradient_factors[k] * closing)
+    separation * (viscosity.between(row.index, b) * fields.volumes[b] * row.gradient_factors[k] * closing)
 }
 
-pub(super) fn strain_scale<const D: usize>(fields: &Fields<'_, D>, a: usize, dynamic_viscosity: f64) -> f64 {
-    2.0 * (D as f64 + 2.0) * dynamic_viscosity / fields.densities[a]
+pub(super) fn strain_scale<const D: usize>(fields: &Fields<'_, D>, a: usize) -> f64 {
+    2.0 * (D as f64 + 2.0) / fields.densities[a]
 }
 
 #[cfg(test)]
@@ -97,15 +123,17 @@ mod tests {
     use sph_kernel::operators::moment;
     use sph_kernel::{KernelKind, RowBuffer};
 
+    const EVEN: Viscosity<'static> = Viscosity::Even(0.6);
+
     fn accelerations<const D: usize>(block: &Block<D>) -> Vec<SVector<f64, D>> {
-        block.map_rows(|row| viscous_acceleration(row, &block.fields(), &block.velocities, 0.6))
+        block.map_rows(|row| viscous_acceleration(row, &block.fields(), &block.velocities, EVEN))
     }
 
     #[test]
     fn a_parabolic_profile_gives_its_second_derivative_in_a_lattice() {
         let block = Block::<2>::lattice(9, |r| Vector2::new(5.0 * r.y + 0.7 * r.y * r.y, 0.0));
         block.with_row(Block::<2>::middle(9), |row| {
-            let found = viscous_acceleration(row, &block.fields(), &block.velocities, 0.6);
+            let found = viscous_acceleration(row, &block.fields(), &block.velocities, EVEN);
             // nu 2 * 0.7 times the number m of the moment matrix m 1, which is one to the error of the lattice.
             let expected = 0.6 / 2.0 * 1.4 * moment(row, &block.volumes)[(1, 1)];
             assert!((found - Vector2::new(expected, 0.0)).norm() < 1e-13);
@@ -114,10 +142,31 @@ mod tests {
     }
 
     #[test]
+    fn a_viscosity_that_changes_acts_as_its_divergence() {
+        // v = (y^2, 0), eta = 3 + y: d/dy (eta dv/dy) = 6 + 4 y, and rho = 2.
+        let block = Block::<2>::lattice(9, |r| Vector2::new(r.y * r.y, 0.0));
+        let viscosities: Vec<f64> = block.positions.iter().map(|r| 3.0 + r.y).collect();
+        block.with_row(Block::<2>::middle(9), |row| {
+            let each = Viscosity::Each(&viscosities);
+            let found = viscous_acceleration(row, &block.fields(), &block.velocities, each);
+            let expected = (6.0 + 4.0 * block.positions[row.index].y) / block.densities[row.index];
+            assert!((found - Vector2::new(expected, 0.0)).norm() < 5e-3 * expected, "{found} {expected}");
+        });
+        let all = vec![0.6; block.positions.len()];
+        let even = accelerations(&block);
+        let each = block.map_rows(|row| {
+            viscous_acceleration(row, &block.fields(), &block.velocities, Viscosity::Each(&all))
+        });
+        assert!(
+            even.iter().zip(&each).all(|(even, each)| (even - each).norm() < 1e-14 * even.norm().max(1.0))
+        );
+    }
+
+    #[test]
     fn linear_shear_has_no_friction_inside_a_lattice() {
         let block = Block::<3>::lattice(7, |r| Vector3::new(4.0 * r.z - r.y, 2.0 * r.x, 0.0));
         block.with_row(Block::<3>::middle(7), |row| {
-            assert!(viscous_acceleration(row, &block.fields(), &block.velocities, 0.6).norm() < 1e-13);
+            assert!(viscous_acceleration(row, &block.fields(), &block.velocities, EVEN).norm() < 1e-13);
         });
     }
 
@@ -131,7 +180,7 @@ mod tests {
     }
 
     fn strains<const D: usize>(block: &Block<D>) -> Vec<SVector<f64, D>> {
-        block.map_rows(|row| strain_acceleration(row, &block.fields(), &block.velocities, 0.6))
+        block.map_rows(|row| strain_acceleration(row, &block.fields(), &block.velocities, EVEN))
     }
 
     #[test]
@@ -168,7 +217,7 @@ mod tests {
         let kernel = KernelKind::WendlandC2.with_smoothing_length::<D>(4.0);
         let mut buffer = RowBuffer::default();
         let row = buffer.fill(index, &others, &block.positions, &kernel);
-        let found = strain_acceleration(&row, &block.fields(), &block.velocities, 0.6);
+        let found = strain_acceleration(&row, &block.fields(), &block.velocities, EVEN);
         found[0] / (0.6 / block.densities[index] * 1.4)
     }
 

@@ -292,9 +292,9 @@ impl<const D: usize> FluidPatch<D> {
             masses: &self.masses,
             temperatures: &self.temperatures,
             copies: &self.copies,
-            mirrors: &[],
             list_starts: &self.list.0,
             list_neighbors: &self.list.1,
+            ..FluidFields::default()
         };
         self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
         self.pair_visits += 2 * self.list.0[self.fluid] as u64;

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, require};
 
-/// tau(T) = tau_0 + tau_T (T - T_0), never below zero.
+/// tau(T) = tau_0 + tau_T (T - T_0). Where it falls below zero the surface is not pulled any more, and still driven by its change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceTension {
     tension: f64,
@@ -41,7 +41,7 @@ impl SurfaceTension {
     #[inline]
     #[must_use]
     pub fn at(&self, temperature: f64) -> f64 {
-        (self.tension + self.slope * (temperature - self.reference_temperature)).max(0.0)
+        self.tension + self.slope * (temperature - self.reference_temperature)
     }
 
     /// Whether there is tension at the reference temperature.
@@ -57,10 +57,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tension_falls_with_temperature_and_never_pushes() {
+    fn tension_falls_with_temperature() {
         let aluminium = SurfaceTension::new(0.9, -3.5e-4, 933.0).unwrap();
         assert!((aluminium.at(1433.0) - 0.725).abs() < 1e-15 && aluminium.pulls());
-        assert_eq!(aluminium.at(1e5), 0.0);
         assert!(SurfaceTension::new(-1.0, 0.0, 0.0).unwrap_err().to_string().starts_with("tension is -1"));
         assert!(SurfaceTension::new(1.0, f64::NAN, 0.0).is_err());
     }

@@ -1,10 +1,7 @@
 //! What the forces of a fluid do to its energy.
 
-use super::{FluidControls, FluidFields, FluidSweep};
-use crate::{Fields, Friction, artificial_acceleration, strain_acceleration, viscous_acceleration};
+use super::FluidSweep;
 use nalgebra::SVector;
-use rayon::prelude::*;
-use sph_kernel::{Row, RowBuffer};
 
 /// Powers of forces on a fluid, sum m v.a over its particles \[W; W/m in 2-D\].
 ///
@@ -21,68 +18,29 @@ pub struct Powers {
 }
 
 impl<const D: usize> FluidSweep<D> {
-    /// Powers of the forces of the last evaluation, which was of these fields, with their velocities. `fluid` particles stand
-    /// before copies and walls. Sums run in the order of the particles.
+    /// Powers of the forces of the last evaluation on fluid that moves with `velocities` \[m/s\]; over two half kicks with these
+    /// forces, those of the middle make it the change of kinetic energy, to round-off. Sums run in the order of the particles.
     ///
     /// # Panics
     /// If columns are shorter than at the last evaluation.
     #[must_use]
-    pub fn powers(&self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) -> Powers {
-        let columns = Fields {
-            masses: fields.masses,
-            densities,
-            volumes: &self.volumes,
-            pressures: &self.pressures,
-            velocities: fields.velocities,
-        };
-        let each: Vec<Powers> = (0..fluid)
-            .into_par_iter()
-            .map_init(RowBuffer::default, |buffer, i| {
-                let row = buffer.fill(i, fields.neighbors(i), fields.positions, &self.controls.kernel);
-                let momentum = fields.velocities[i] * fields.masses[i];
-                let [tension, marangoni] = self.surface_accelerations(&row, fields, densities);
-                let [viscous, artificial] =
-                    friction_accelerations(&row, &columns, &self.seen, &self.controls);
-                Powers {
-                    friction: momentum.dot(&(viscous + artificial)),
-                    tension: momentum.dot(&tension),
-                    marangoni: momentum.dot(&marangoni),
-                }
-            })
-            .collect();
-        each.iter().fold(Powers::default(), |sum, power| Powers {
-            friction: sum.friction + power.friction,
-            tension: sum.tension + power.tension,
-            marangoni: sum.marangoni + power.marangoni,
-        })
+    pub fn powers(&self, masses: &[f64], velocities: &[SVector<f64, D>]) -> Powers {
+        let mut sum = Powers::default();
+        for (i, friction) in self.friction.iter().enumerate() {
+            let momentum = velocities[i] * masses[i];
+            sum.friction += momentum.dot(friction);
+            sum.tension += self.tension.get(i).map_or(0.0, |tension| momentum.dot(tension));
+            sum.marangoni +=
+                self.marangoni.get(i).map_or(0.0, |force| velocities[i].dot(force) * self.volumes[i]);
+        }
+        sum
     }
-}
-
-/// Accelerations of a particle by viscosity and by artificial viscosity \[m/s^2\]. `seen` are the velocities that friction sees.
-pub(super) fn friction_accelerations<const D: usize>(
-    row: &Row<'_, D>,
-    columns: &Fields<'_, D>,
-    seen: &[SVector<f64, D>],
-    controls: &FluidControls<D>,
-) -> [SVector<f64, D>; 2] {
-    let viscosity = controls.dynamic_viscosity;
-    let shared = match controls.friction {
-        Friction::Shear => viscous_acceleration(row, columns, seen, viscosity),
-        Friction::Strain => strain_acceleration(row, columns, seen, viscosity),
-    };
-    let (sound_speed, coefficient) = (controls.state.reference_sound_speed(), controls.artificial_viscosity);
-    let artificial = if coefficient > 0.0 {
-        artificial_acceleration(row, columns, &controls.kernel, sound_speed, coefficient)
-    } else {
-        SVector::zeros()
-    };
-    [shared, artificial]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FluidControls, SurfaceTension, Tait};
+    use crate::{FluidControls, FluidFields, SurfaceTension, Tait};
     use nalgebra::Vector2;
     use sph_kernel::KernelKind;
     use sph_neighbors::{PairReach, SearchMethod};
@@ -108,15 +66,14 @@ mod tests {
             velocities: &velocities,
             masses: &masses,
             temperatures: &temperatures,
-            copies: &[],
-            mirrors: &[],
             list_starts: list.starts(),
             list_neighbors: list.indices(),
+            ..FluidFields::default()
         };
         let mut sweep = FluidSweep::new(controls).unwrap();
         let mut accelerations = vec![Vector2::zeros(); 256];
         sweep.accelerations(&fields, &mut densities, 0.0, &mut accelerations);
-        let powers = sweep.powers(&fields, &densities, 256);
+        let powers = sweep.powers(&masses, &velocities);
         // Without pressure (all densities are that of rest) the three are all that acts.
         let all: f64 = (0..256).map(|i| masses[i] * velocities[i].dot(&accelerations[i])).sum();
         let sum = powers.friction + powers.tension + powers.marangoni;

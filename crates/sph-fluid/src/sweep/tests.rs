@@ -26,11 +26,9 @@ fn evaluated(block: &Block<2>, controls: FluidControls<2>, dt_s: f64) -> (Vec<f6
         positions: &block.positions,
         velocities: &block.velocities,
         masses: &block.masses,
-        temperatures: &[],
-        copies: &[],
-        mirrors: &[],
         list_starts: &starts,
         list_neighbors: &neighbors,
+        ..FluidFields::default()
     };
     let mut densities = block.densities.clone();
     let mut accelerations = vec![SVector::zeros(); densities.len()];
@@ -102,10 +100,9 @@ fn warm_fluid_of_its_own_density_has_no_pressure() {
         velocities: &block.velocities,
         masses: &masses,
         temperatures: &temperatures,
-        copies: &[],
-        mirrors: &[],
         list_starts: &starts,
         list_neighbors: &neighbors,
+        ..FluidFields::default()
     };
     let controls = FluidControls { thermal_expansion: Some(expansion), ..controls() };
     let mut accelerations = vec![SVector::zeros(); masses.len()];
@@ -120,4 +117,37 @@ fn warm_fluid_of_its_own_density_has_no_pressure() {
     sweep.accelerations(&fields, &mut dense, 0.0, &mut accelerations);
     let hottest = temperatures.iter().zip(sweep.pressures()).max_by(|a, b| a.0.total_cmp(b.0)).unwrap();
     assert!(*hottest.1 > 2.0 * 20.0 * 20.0 * 0.01 * (hottest.0 - 300.0), "{hottest:?}");
+}
+
+/// Columns of tension and viscosity that say what the constants say change nothing; others do.
+#[test]
+fn columns_of_the_controls_own_tension_and_viscosity_change_nothing() {
+    let block = Block::<2>::new(7, 0.2);
+    let (starts, neighbors) = all_pairs(block.positions.len());
+    let temperatures: Vec<f64> = block.positions.iter().map(|r| 900.0 + 30.0 * r.x).collect();
+    let tension = SurfaceTension::new(0.9, -1e-3, 900.0).unwrap();
+    let controls = FluidControls { surface_tension: Some(tension), ..controls() };
+    let found = |tensions: &[f64], viscosities: &[f64]| {
+        let fields = FluidFields {
+            positions: &block.positions,
+            velocities: &block.velocities,
+            masses: &block.masses,
+            temperatures: &temperatures,
+            tensions,
+            viscosities,
+            list_starts: &starts,
+            list_neighbors: &neighbors,
+            ..FluidFields::default()
+        };
+        let mut accelerations = vec![SVector::zeros(); temperatures.len()];
+        let mut sweep = FluidSweep::new(controls).unwrap();
+        sweep.accelerations(&fields, &mut block.densities.clone(), 0.0, &mut accelerations);
+        accelerations
+    };
+    let own: Vec<f64> = temperatures.iter().map(|&temperature| tension.at(temperature)).collect();
+    let (even, plain) = (vec![0.9; own.len()], found(&[], &[]));
+    assert_eq!(found(&own, &[]), plain);
+    assert_eq!(found(&own, &vec![0.5; own.len()]), plain);
+    assert_ne!(found(&even, &[]), plain);
+    assert_ne!(found(&own, &vec![0.4; own.len()]), plain);
 }

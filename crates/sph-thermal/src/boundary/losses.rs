@@ -1,5 +1,6 @@
-//! Convection and radiation from a free face.
+//! What a free face loses to its surroundings.
 
+use super::Evaporation;
 use crate::error::Error;
 use crate::phase::EnthalpyCurve;
 
@@ -9,12 +10,13 @@ const LARGEST_ITERATION_COUNT: usize = 60;
 /// Stefan-Boltzmann constant \[W/(m² K⁴)\] (CODATA 2018).
 pub const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
 
-/// Heat that a face loses to its surroundings: q = h (T - T_a) + epsilon sigma (T⁴ - T_a⁴).
+/// Heat that a face loses to its surroundings: q = h (T - T_a) + epsilon sigma (T⁴ - T_a⁴), and what evaporates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceLoss {
     convection: f64,
     radiation: f64,
     ambient: f64,
+    evaporation: Option<Evaporation>,
 }
 
 impl SurfaceLoss {
@@ -30,8 +32,21 @@ impl SurfaceLoss {
         ];
         match checks.iter().find(|check| !check.2) {
             Some(&(field, found, _, accepted)) => Err(Error::OutOfRange { field, found, accepted }),
-            None => Ok(Self { convection, radiation: emissivity * STEFAN_BOLTZMANN, ambient }),
+            None => {
+                Ok(Self { convection, radiation: emissivity * STEFAN_BOLTZMANN, ambient, evaporation: None })
+            }
         }
+    }
+
+    /// The same with evaporation.
+    #[must_use]
+    pub fn with_evaporation(self, evaporation: Evaporation) -> Self {
+        Self { evaporation: Some(evaporation), ..self }
+    }
+
+    /// What evaporates, where it does.
+    pub fn evaporation(&self) -> Option<&Evaporation> {
+        self.evaporation.as_ref()
     }
 
     /// Heat lost per area \[W/m²\] at a surface temperature \[K\].
@@ -40,12 +55,15 @@ impl SurfaceLoss {
         let fourth = |t: f64| (t * t) * (t * t);
         self.convection * (temperature - self.ambient)
             + self.radiation * (fourth(temperature) - fourth(self.ambient))
+            + self.evaporation.map_or(0.0, |evaporation| evaporation.flux(temperature))
     }
 
     /// d(flux)/dT \[W/(m² K)\] at a surface temperature \[K\]: what bounds an explicit step.
     #[inline]
     pub fn slope(&self, temperature: f64) -> f64 {
-        self.convection + 4.0 * self.radiation * temperature.powi(3)
+        self.convection
+            + 4.0 * self.radiation * temperature.powi(3)
+            + self.evaporation.map_or(0.0, |evaporation| evaporation.slope(temperature))
     }
 }
 
@@ -86,6 +104,19 @@ mod tests {
         assert!(SurfaceLoss::new(-1.0, 0.5, 300.0).is_err());
         assert!(SurfaceLoss::new(1.0, 1.5, 300.0).unwrap_err().to_string().contains("emissivity"));
         assert!(SurfaceLoss::new(1.0, 0.5, 0.0).is_err());
+    }
+
+    #[test]
+    fn a_surface_under_a_strong_beam_stays_near_its_boiling_point() {
+        let curve = EnthalpyCurve::continuous(&crate::phase::tests_material()).unwrap();
+        let vapour = Evaporation::new(2790.0, 1.09e7, 0.02698).unwrap();
+        let dry = SurfaceLoss::new(0.0, 0.0, 293.0).unwrap();
+        let (own, entering, depth) = (curve.potential_at(2000.0), 5e9, 5e-5);
+        let surface = |law: &SurfaceLoss| surface_temperature(&curve, own, entering, depth, law);
+        let (steaming, without) = (surface(&dry.with_evaporation(vapour)), surface(&dry));
+        assert!(without > 4500.0 && (2790.0..3500.0).contains(&steaming), "{without} {steaming}");
+        let conducted = (curve.potential_at(steaming) - own) / depth;
+        assert!(((entering - vapour.flux(steaming)) / conducted - 1.0).abs() < 1e-8);
     }
 
     proptest! {

@@ -51,6 +51,26 @@ impl Table {
         }
     }
 
+    /// The largest value of all temperatures.
+    pub fn largest(&self) -> f64 {
+        self.nodes.iter().map(|node| node.1).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Whether it has one value at all temperatures.
+    pub fn is_constant(&self) -> bool {
+        self.nodes.iter().all(|node| node.1 == self.nodes[0].1)
+    }
+
+    /// The slopes \[value/K\] of the pieces that reach into the range between two temperatures \[K\], rising; zero beyond the nodes
+    /// is not among them.
+    pub fn slopes(&self, low: f64, high: f64) -> impl Iterator<Item = f64> + '_ {
+        let reaches = move |piece: &&[(f64, f64)]| piece[1].0 > low && piece[0].0 < high;
+        self.nodes
+            .windows(2)
+            .filter(reaches)
+            .map(|piece| (piece[1].1 - piece[0].1) / (piece[1].0 - piece[0].0))
+    }
+
     /// The node temperatures strictly between two temperatures, rising.
     pub(crate) fn node_temperatures(&self, low: f64, high: f64) -> impl Iterator<Item = f64> + '_ {
         self.nodes.iter().map(|node| node.0).filter(move |&t| t > low && t < high)
@@ -69,6 +89,16 @@ mod tests {
         assert_eq!(table.at(400.0), 20.0);
         assert_eq!(table.at(450.0), 12.5);
         assert_eq!(table.at(900.0), 5.0);
+    }
+
+    #[test]
+    fn tells_its_largest_value_and_its_slopes() {
+        let table = Table::new(vec![(300.0, 1.0), (400.0, 3.0), (600.0, 2.0)]).unwrap();
+        assert_eq!((table.largest(), table.is_constant()), (3.0, false));
+        assert!(Table::constant(2.0).unwrap().is_constant());
+        assert_eq!(table.slopes(300.0, 600.0).collect::<Vec<_>>(), [0.02, -0.005]);
+        assert_eq!(table.slopes(400.0, 450.0).collect::<Vec<_>>(), [-0.005]);
+        assert_eq!(table.slopes(700.0, 800.0).count(), 0);
     }
 
     #[test]

@@ -53,11 +53,11 @@ pub fn check_card(card: &CardSource) -> Vec<Problem> {
     let given = [
         ("viscosity_pa_s", values.viscosity_pa_s.is_some()),
         ("surface_tension_n_m", values.surface_tension_n_m.is_some()),
-        ("surface_tension_slope_n_m_k", values.surface_tension_slope_n_m_k.is_some()),
     ];
     for (name, given) in given {
         let reason = format!("Flow needs {name} of {}, which the card does not give", card.name);
-        let remedy = "add viscosity_pa_s, surface_tension_n_m and surface_tension_slope_n_m_k, each with its source, or leave out Flow";
+        let remedy = "add viscosity_pa_s and surface_tension_n_m (and, unless that is a table, surface_tension_slope_n_m_k), each \
+                      with its source, or leave out Flow";
         findings.require(given, name, &reason, remedy);
     }
     findings.into_problems()

@@ -5,8 +5,8 @@ use super::super::material::Property;
 use super::super::problem::Problem;
 use super::findings::Findings;
 use super::plausible::{
-    BOILING, CONDUCTIVITY, DENSITY, EXPANSION, HEAT_CAPACITY, LATENT_HEAT, MELTING, POISSON, Range,
-    TABLE_TEMPERATURE, TENSION, TENSION_SLOPE, VISCOSITY, YIELD, YOUNG, number,
+    BOILING, CONDUCTIVITY, DENSITY, EVAPORATION_HEAT, EXPANSION, HEAT_CAPACITY, LATENT_HEAT, MELTING,
+    MOLAR_MASS, POISSON, Range, TABLE_TEMPERATURE, TENSION, TENSION_SLOPE, VISCOSITY, YIELD, YOUNG, number,
 };
 
 /// Least distance of solidus and liquidus in kelvin; below it the slope of the enthalpy curve has no use.
@@ -27,7 +27,32 @@ pub fn check(card: &CardSource) -> Vec<Problem> {
         check_property(&mut findings, name, property, property_range(name));
         check_source(&mut findings, name, &property.source);
     }
+    check_tension(&mut findings, card);
     findings.into_problems()
+}
+
+/// A tension has one slope: its own, or that of its table.
+fn check_tension(findings: &mut Findings, card: &CardSource) {
+    let slope = "surface_tension_slope_n_m_k";
+    let is_table = card.card.surface_tension_n_m.as_ref().map(|tension| tension.table.is_some());
+    match (is_table, card.card.surface_tension_slope_n_m_k.is_some()) {
+        (Some(true), true) => findings.refuse(
+            slope,
+            "surface_tension_n_m is a table, whose slope is that between its points",
+            "leave out surface_tension_slope_n_m_k, or give surface_tension_n_m as a value",
+        ),
+        (Some(false), false) => findings.refuse(
+            "surface_tension_n_m",
+            "a value at the liquidus does not tell how tension changes with temperature",
+            "add surface_tension_slope_n_m_k with its source, or give surface_tension_n_m as a table",
+        ),
+        (None, true) => findings.refuse(
+            slope,
+            "there is no surface_tension_n_m that it is the slope of",
+            "add surface_tension_n_m",
+        ),
+        _ => {}
+    }
 }
 
 fn quantity_range(name: &str) -> &'static Range {
@@ -35,8 +60,8 @@ fn quantity_range(name: &str) -> &'static Range {
         "density_kg_m3" => &DENSITY,
         "latent_heat_j_kg" => &LATENT_HEAT,
         "boiling_k" => &BOILING,
-        "viscosity_pa_s" => &VISCOSITY,
-        "surface_tension_n_m" => &TENSION,
+        "heat_of_evaporation_j_kg" => &EVAPORATION_HEAT,
+        "molar_mass_kg_mol" => &MOLAR_MASS,
         "surface_tension_slope_n_m_k" => &TENSION_SLOPE,
         "young_pa" => &YOUNG,
         "poisson" => &POISSON,
@@ -47,6 +72,8 @@ fn quantity_range(name: &str) -> &'static Range {
 fn property_range(name: &str) -> &'static Range {
     match name {
         "heat_capacity_solid_j_kg_k" | "heat_capacity_liquid_j_kg_k" => &HEAT_CAPACITY,
+        "viscosity_pa_s" => &VISCOSITY,
+        "surface_tension_n_m" => &TENSION,
         "expansion_1_k" => &EXPANSION,
         "yield_pa" => &YIELD,
         _ => &CONDUCTIVITY,

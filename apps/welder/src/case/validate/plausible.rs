@@ -43,6 +43,10 @@ pub const TEMPERATURE: Range = range("K", 50.0, 6000.0, CELSIUS);
 pub const MELTING: Range = range("K", 150.0, 4500.0, CELSIUS);
 /// Temperature of boiling.
 pub const BOILING: Range = range("K", 300.0, 7000.0, CELSIUS);
+/// Heat of evaporation of a metal.
+pub const EVAPORATION_HEAT: Range = range("J/kg", 2e5, 5e7, &[("kJ/kg or J/g", 1e3, 0.0)]);
+/// Molar mass of a metal's vapour.
+pub const MOLAR_MASS: Range = range("kg/mol", 0.005, 0.3, &[("g/mol", 1e-3, 0.0)]);
 /// Temperatures in a table of a material.
 pub const TABLE_TEMPERATURE: Range = range("K", 0.0, 10000.0, CELSIUS);
 /// Power of a laser.

@@ -40,6 +40,7 @@ pub(super) fn base(case: &Case) -> Case {
 pub(super) fn all(case: &Case, model: &Model) -> Vec<Twins> {
     let base = base(case);
     let mut twins = vec![latent_heat(&base), bottom(&base, model), losses(&base)];
+    twins.extend(evaporation(&base, model));
     twins.extend(movement(&base, model));
     twins.push(stress(case));
     twins.push(flow(&base));
@@ -84,18 +85,56 @@ fn bottom(base: &Case, model: &Model) -> Twins {
 fn losses(base: &Case) -> Twins {
     let effect = Effect::Losses;
     match base.scene.part.faces.top {
-        Face::Losses { .. } => one_less(base, effect, "without: top Adiabatic", |case| {
-            case.scene.part.faces.top = Face::Adiabatic;
-        }),
+        Face::Losses { ambient_k, evaporation, .. } => {
+            let change = "without: top convection_w_m2_k 0, emissivity 0";
+            one_less(base, effect, change, |case| {
+                let (convection_w_m2_k, emissivity) = (0.0, 0.0);
+                case.scene.part.faces.top =
+                    Face::Losses { convection_w_m2_k, emissivity, ambient_k, evaporation };
+            })
+        }
         Face::Adiabatic => {
             let mut black = base.clone();
-            let face = Face::Losses { convection_w_m2_k: 0.0, emissivity: 1.0, ambient_k: ROOM_K };
+            let face = Face::Losses {
+                convection_w_m2_k: 0.0,
+                emissivity: 1.0,
+                ambient_k: ROOM_K,
+                evaporation: false,
+            };
             black.scene.part.faces.top = face;
             let pair = Ok(Pair { with: Some(black), without: None });
             Twins { effect: effect.name(), change: "with: top Losses(emissivity: 1)".into(), pair }
         }
         _ => not_run(effect.name(), "the top face takes up a flux"),
     }
+}
+
+/// With and without evaporation of the top face, where the card tells how the melt evaporates.
+fn evaporation(base: &Case, model: &Model) -> Option<Twins> {
+    model.evaporation[0]?;
+    let effect = Effect::Evaporation;
+    let mut changed = base.clone();
+    let top = &mut changed.scene.part.faces.top;
+    let was = match top {
+        Face::Losses { evaporation, .. } => std::mem::replace(evaporation, !*evaporation),
+        Face::Adiabatic => {
+            let dry = Face::Losses {
+                convection_w_m2_k: 0.0,
+                emissivity: 0.0,
+                ambient_k: ROOM_K,
+                evaporation: true,
+            };
+            *top = dry;
+            false
+        }
+        _ => return Some(not_run(effect.name(), "the top face takes up a flux")),
+    };
+    let (change, pair) = if was {
+        ("without: top evaporation: false", Pair { with: None, without: Some(changed) })
+    } else {
+        ("with: top evaporation: true", Pair { with: Some(changed), without: None })
+    };
+    Some(Twins { effect: effect.name(), change: change.into(), pair: Ok(pair) })
 }
 
 /// The same power over time, at the place where the beam is at half of its time.
@@ -179,7 +218,10 @@ mod tests {
         let spot = twins("spot-aluminium", &[losses, "resolution.spacing_m=100e-6"]);
         let changed = |effect| find(&spot, effect).without.clone().unwrap();
         assert_eq!(changed("latent heat").materials[0].card.latent_heat_j_kg.value, 0.0);
-        assert_eq!(changed("losses").scene.part.faces.top, Face::Adiabatic);
+        assert!(matches!(
+            changed("losses").scene.part.faces.top,
+            Face::Losses { convection_w_m2_k: 0.0, emissivity: 0.0, evaporation: false, .. }
+        ));
         assert_eq!(changed("levels").scene.resolution.levels, Levels::Uniform);
         // sqrt(a t) is 1.1 mm: twice the 3 mm is out of reach.
         assert!((changed("bottom face").scene.part.size_m[2] - 6e-3).abs() < 1e-12);

@@ -55,9 +55,9 @@ impl<const D: usize> Columns<D> {
             masses: &self.masses,
             temperatures: &self.temperatures,
             copies: &self.copies,
-            mirrors: &[],
             list_starts: self.list.starts(),
             list_neighbors: self.list.indices(),
+            ..FluidFields::default()
         }
     }
 }
@@ -159,7 +159,7 @@ impl<const D: usize> FluidFlow<D> {
         self.listed.extend_from_slice(&self.columns.positions[..self.fluid]);
         self.sweep = self.fresh.clone();
         self.evaluate(0.0);
-        self.powers = self.sweep.powers(&self.columns.fields(), &self.densities, self.fluid);
+        self.powers = self.sweep.powers(&self.columns.masses, &self.columns.velocities);
         Ok(())
     }
 

@@ -1,15 +1,66 @@
 //! The melt and the solid around it over one step of heat: columns of their own, kick-drift-kick.
 
+use super::TAIT_EXPONENT;
 use super::state::State;
 use crate::particles::Particles;
+use crate::physics::Work;
 use nalgebra::Vector3;
-use sph_fluid::{FluidControls, FluidFields, FluidSweep};
+use sph_fluid::{FluidControls, FluidFields, FluidSweep, Tait};
 use sph_neighbors::{NeighborList, PairReach, SearchMethod};
 use sph_thermal::conduction::{Images, Planes};
 use std::collections::HashSet;
 
 /// Share of the spacing that two particles may close in by before the list is made anew.
 const SKIN: f64 = 0.4;
+
+/// What the melt takes of each particle of the scene; the last two are empty where they are the same for all.
+#[derive(Debug, Default)]
+pub(super) struct Columns {
+    /// Temperatures \[K\].
+    pub temperatures: Vec<f64>,
+    /// Viscosities at these \[Pa s\].
+    pub viscosities: Vec<f64>,
+    /// Surface tensions at these \[N/m\].
+    pub tensions: Vec<f64>,
+}
+
+impl Columns {
+    fn each(&mut self) -> [&mut Vec<f64>; 3] {
+        [&mut self.temperatures, &mut self.viscosities, &mut self.tensions]
+    }
+
+    /// Those of some particles, in their order.
+    fn of(&self, particles: impl Iterator<Item = usize> + Clone) -> Self {
+        let pick = |column: &Vec<f64>| {
+            if column.is_empty() { Vec::new() } else { particles.clone().map(|i| column[i]).collect() }
+        };
+        Self {
+            temperatures: pick(&self.temperatures),
+            viscosities: pick(&self.viscosities),
+            tensions: pick(&self.tensions),
+        }
+    }
+
+    /// Appends those of `others`, in their order.
+    fn extend(&mut self, others: &Self) {
+        self.temperatures.extend_from_slice(&others.temperatures);
+        self.viscosities.extend_from_slice(&others.viscosities);
+        self.tensions.extend_from_slice(&others.tensions);
+    }
+
+    /// Appends images of their own particles.
+    fn show(&mut self, sources: &[u32]) {
+        for column in self.each().into_iter().filter(|column| !column.is_empty()) {
+            for &source in sources {
+                column.push(column[source as usize]);
+            }
+        }
+    }
+
+    fn truncate(&mut self, length: usize) {
+        self.each().into_iter().for_each(|column| column.truncate(length));
+    }
+}
 
 /// Melt, and the solid that it can reach.
 pub(super) struct Melt {
@@ -33,8 +84,10 @@ pub(super) struct Melt {
     velocities: Vec<Vector3<f64>>,
     densities: Vec<f64>,
     masses: Vec<f64>,
-    temperatures: Vec<f64>,
+    columns: Columns,
     accelerations: Vec<Vector3<f64>>,
+    /// Heat that friction has made in each particle of melt in this step of heat \[J/kg\].
+    warmth: Vec<f64>,
     listed: Vec<Vector3<f64>>,
 }
 
@@ -42,7 +95,7 @@ pub(super) struct Melt {
 #[derive(Default)]
 struct Walls {
     positions: Vec<Vector3<f64>>,
-    temperatures: Vec<f64>,
+    columns: Columns,
 }
 
 impl Melt {
@@ -66,8 +119,9 @@ impl Melt {
             velocities: Vec::new(),
             densities: Vec::new(),
             masses: Vec::new(),
-            temperatures: Vec::new(),
+            columns: Columns::default(),
             accelerations: Vec::new(),
+            warmth: Vec::new(),
             listed: Vec::new(),
         })
     }
@@ -82,18 +136,45 @@ impl Melt {
         self.mass
     }
 
-    /// Moves the melt of `particles` over `step` \[s\] at the given temperatures \[K\]; says whether it got there.
+    /// Energy of compression at a density \[J/kg\].
+    pub fn compression(&self, density: f64) -> f64 {
+        self.controls.state.energy(density)
+    }
+
+    /// Gives the melt this speed of sound \[m/s\], and `densities` that keep their pressures.
+    ///
+    /// # Errors
+    /// What the fluid crate refuses.
+    pub fn set_sound_speed(
+        &mut self,
+        sound_speed: f64,
+        densities: &mut [f64],
+    ) -> Result<(), sph_fluid::Error> {
+        let before = self.controls.state;
+        if sound_speed == before.reference_sound_speed() {
+            return Ok(());
+        }
+        let after = Tait::new(before.reference_density(), sound_speed, TAIT_EXPONENT)?;
+        for density in densities.iter_mut().filter(|density| **density != before.reference_density()) {
+            *density = after.density(before.pressure(*density));
+        }
+        self.controls.state = after;
+        self.fresh = FluidSweep::new(self.controls)?;
+        Ok(())
+    }
+
+    /// Moves the melt of `particles` over `step` \[s\] with the given columns; says whether it got there.
     pub fn advance(
         &mut self,
         particles: &mut Particles<3>,
         state: &mut State,
-        temperatures: &[f64],
+        columns: &Columns,
         step: f64,
     ) -> bool {
         if !state.any_molten() {
             return true;
         }
-        self.gather(particles, state, temperatures);
+        self.gather(particles, state, columns);
         // A sweep remembers the surface of its last evaluation: a fresh one begins with none, in a resumed run as in a whole one.
         self.sweep = self.fresh.clone();
         let mut list = self.list();
@@ -106,13 +187,13 @@ impl Melt {
             }
             let count = (left / longest).ceil();
             let dt = left / count;
-            self.kick(0.5 * dt);
+            self.kick(0.5 * dt, &mut state.work);
             self.drift(dt);
             if self.moved_far() {
                 list = self.list();
             }
             self.evaluate(&list, dt, state);
-            self.kick(0.5 * dt);
+            self.kick(0.5 * dt, &mut state.work);
             state.cost.melt_steps += 1;
             left = if count > 1.0 { left - dt } else { 0.0 };
         }
@@ -121,19 +202,20 @@ impl Melt {
     }
 
     /// Takes melt, and solid in its reach, out of the scene.
-    fn gather(&mut self, particles: &Particles<3>, state: &State, temperatures: &[f64]) {
+    fn gather(&mut self, particles: &Particles<3>, state: &State, columns: &Columns) {
         let molten = (0..particles.len() as u32).filter(|&i| state.molten[i as usize]);
         self.members.clear();
         self.members.extend(molten);
-        let of = |column: &[f64]| -> Vec<f64> { self.members.iter().map(|&i| column[i as usize]).collect() };
+        let members = self.members.iter().map(|&i| i as usize);
         let vectors = |column: &[Vector3<f64>]| -> Vec<Vector3<f64>> {
             self.members.iter().map(|&i| column[i as usize]).collect()
         };
         self.positions = vectors(&particles.position);
         self.velocities = vectors(&state.velocities);
-        self.densities = of(&state.densities);
-        self.temperatures = of(temperatures);
+        self.densities = members.clone().map(|i| state.densities[i]).collect();
+        self.columns = columns.of(members);
         self.accelerations = vec![Vector3::zeros(); self.members.len()];
+        self.warmth = vec![0.0; self.members.len()];
         // Melt moves by a part of a spacing in a step of heat.
         let reach = self.controls.kernel.support_radius() + self.spacing;
         let near = Nearby::new(&self.positions, reach);
@@ -145,12 +227,10 @@ impl Melt {
         };
         let walls: Vec<usize> = (0..particles.len()).filter(is_wall).collect();
         self.walls.positions = walls.iter().map(|&i| particles.position[i]).collect();
-        self.walls.temperatures = walls.iter().map(|&i| temperatures[i]).collect();
+        self.walls.columns = columns.of(walls.iter().copied());
         let images = Images::new(&self.walls.positions, &vec![reach; walls.len()], &self.planes);
         self.walls.positions.extend_from_slice(&images.position);
-        for source in images.source {
-            self.walls.temperatures.push(self.walls.temperatures[source as usize]);
-        }
+        self.walls.columns.show(&images.source);
     }
 
     fn scatter(&self, particles: &mut Particles<3>, state: &mut State) {
@@ -159,6 +239,8 @@ impl Melt {
         for (k, &i) in self.members.iter().enumerate() {
             let i = i as usize;
             particles.position[i] = self.positions[k];
+            particles.enthalpy[i] += self.warmth[k];
+            state.work.dissipated += particles.mass[i] * self.warmth[k];
             state.velocities[i] = self.velocities[k];
             state.densities[i] = self.densities[k];
             state.pressures[i] = self.sweep.pressures()[k];
@@ -185,11 +267,9 @@ impl Melt {
         self.velocities.resize(all, Vector3::zeros());
         self.densities.truncate(fluid);
         self.densities.resize(all, self.reference_density());
-        self.temperatures.truncate(fluid);
-        for &source in &self.images.source {
-            self.temperatures.push(self.temperatures[source as usize]);
-        }
-        self.temperatures.extend_from_slice(&self.walls.temperatures);
+        self.columns.truncate(fluid);
+        self.columns.show(&self.images.source);
+        self.columns.extend(&self.walls.columns);
         self.masses.clear();
         self.masses.resize(all, self.mass);
         self.move_images();
@@ -223,7 +303,9 @@ impl Melt {
             positions: &self.positions,
             velocities: &self.velocities,
             masses: &self.masses,
-            temperatures: &self.temperatures,
+            temperatures: &self.columns.temperatures,
+            viscosities: &self.columns.viscosities,
+            tensions: &self.columns.tensions,
             copies: &self.images.source,
             mirrors: &self.images.mirror,
             list_starts: list.starts(),
@@ -254,7 +336,22 @@ impl Melt {
             .fold(f64::INFINITY, f64::min)
     }
 
-    fn kick(&mut self, dt: f64) {
+    /// Kicks the melt for `dt` \[s\], and counts what its forces do on the way, which is their power at the velocities of the middle.
+    fn kick(&mut self, dt: f64, work: &mut Work) {
+        self.accelerate(0.5 * dt);
+        let powers = self.sweep.powers(&self.masses, &self.velocities);
+        let momentum: Vector3<f64> =
+            self.velocities[..self.members.len()].iter().sum::<Vector3<f64>>() * self.mass;
+        work.tension += powers.tension * dt;
+        work.marangoni += powers.marangoni * dt;
+        work.gravity += momentum.dot(&self.controls.body_acceleration) * dt;
+        for (warmth, heating) in self.warmth.iter_mut().zip(self.sweep.heating()) {
+            *warmth += heating * dt;
+        }
+        self.accelerate(0.5 * dt);
+    }
+
+    fn accelerate(&mut self, dt: f64) {
         for (velocity, acceleration) in self.velocities.iter_mut().zip(&self.accelerations) {
             *velocity += acceleration * dt;
         }
@@ -329,16 +426,17 @@ mod tests {
         let mut particles = Particles::<3> {
             position: (0..64).map(place).collect(),
             mass: vec![2500.0 * spacing.powi(3); 64],
+            enthalpy: vec![1e6; 64],
             spacing: vec![spacing; 64],
             ..Particles::default()
         };
-        let mut state = State::at_rest(64, 2500.0);
+        let mut state = State::at_rest(64, 2500.0, 10.0);
         state.molten.fill(true);
         state.velocities.fill(Vector3::new(speed, 0.0, 0.0));
         Melt::new(controls, spacing, Planes::adiabatic_box([-1.0; 3], [1.0; 3])).unwrap().advance(
             &mut particles,
             &mut state,
-            &[1000.0; 64],
+            &Columns { temperatures: vec![1000.0; 64], ..Columns::default() },
             1e-5,
         )
     }

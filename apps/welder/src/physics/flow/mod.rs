@@ -1,8 +1,8 @@
 //! Flow of the melt in a solid that does not move: particles that have melted are stepped with the sound of the melt between
 //! two steps of heat, at the temperatures of the later one; all others are its walls.
 //!
-//! A particle melts and freezes in place. It carries its enthalpy with it, so that flow changes no energy of heat; what it takes
-//! is the new neighbourhood, which heat finds anew after each step ([`Physics::rearrange`]).
+//! A particle melts and freezes in place. It carries its enthalpy with it, and gets the heat that friction makes in it; what heat
+//! takes of its motion is the new neighbourhood, found anew after each step ([`Physics::rearrange`]).
 
 mod melt;
 mod state;
@@ -10,14 +10,14 @@ mod state;
 use super::{Column, Cost, Exchange, Failure, Mechanics, Physics};
 use crate::build::{Workpiece, symmetry_planes};
 use crate::case::scene::FlowSchedule;
-use crate::model::{FlowModel, Model, ModelError};
+use crate::model::{FlowModel, Model, ModelError, TensionLaw};
 use crate::particles::Particles;
-use melt::Melt;
+use melt::{Columns, Melt};
 use nalgebra::Vector3;
-use sph_fluid::{FluidControls, Renewal, Tait};
+use sph_fluid::{FluidControls, Renewal, SOUND_SPEED_RATIO, Tait};
 use sph_integrate::StepLimit;
 use sph_kernel::KernelKind;
-use sph_thermal::phase::EnthalpyCurve;
+use sph_thermal::phase::{EnthalpyCurve, Table};
 use state::State;
 
 /// Smoothing length over spacing that the constants of the free surface are made for.
@@ -37,7 +37,11 @@ const MELTS_AT: f64 = 0.6;
 const FREEZES_AT: f64 = 0.4;
 
 /// The fastest particle goes at most this share of a spacing between two steps of heat.
-const LARGEST_MOVE: f64 = 0.25;
+pub(crate) const LARGEST_MOVE: f64 = 0.25;
+
+/// Where the melt gets faster than its sound allows, the sound is made faster than that needs by this factor, so that it is not
+/// changed in each step.
+const SOUND_MARGIN: f64 = 1.1;
 
 /// A melt particle this many spacings outside the part has left it; a crown is lower.
 const FARTHEST_OUTSIDE: f64 = 10.0;
@@ -50,11 +54,16 @@ pub struct Flow {
     spacing: f64,
     /// Whether heat takes the steps of the melt.
     together: bool,
+    /// Whether the sound follows the flow: where the scene does not set it.
+    sound_follows: bool,
+    /// Whether anything was molten in the last step.
+    moved: bool,
     /// Low and high corner of the part \[m\].
     bounds: [Vector3<f64>; 2],
-    /// Artificial speed of sound \[m/s\].
-    sound_speed: f64,
-    temperatures: Vec<f64>,
+    /// Viscosity and tension, as far as they are not constants of the melt.
+    viscosity: Option<Table>,
+    tension: Option<TensionLaw>,
+    columns: Columns,
 }
 
 impl Flow {
@@ -64,41 +73,81 @@ impl Flow {
     /// [`ModelError`] when the fluid crate refuses a constant.
     pub fn new(model: &Model, flow: &FlowModel, workpiece: &Workpiece) -> Result<Self, ModelError> {
         let (density, spacing) = (model.materials[0].density, workpiece.spacing);
-        let sound_speed = flow.sound_speed(model);
+        let sound_speed = flow.first_sound_speed(model);
         let kernel = KernelKind::WendlandC2.with_smoothing_length(SMOOTHING_RATIO * spacing);
         let controls = FluidControls {
-            dynamic_viscosity: flow.viscosity,
+            dynamic_viscosity: flow.viscosity.largest(),
             artificial_viscosity: flow.settings.artificial_viscosity,
             density_diffusion: DENSITY_DIFFUSION,
             body_acceleration: Vector3::new(0.0, 0.0, -GRAVITY),
-            surface_tension: Some(flow.tension),
+            surface_tension: Some(flow.tension.for_steps()?),
+            viscous_heating: true,
             renewal: Some(Renewal::default()),
             ..FluidControls::new(kernel, Tait::new(density, sound_speed, TAIT_EXPONENT)?)
         };
         let count = workpiece.particles.len();
         Ok(Self {
             melt: Melt::new(controls, spacing, symmetry_planes(workpiece.low, workpiece.high, &model.faces))?,
-            state: State::at_rest(count, density),
+            state: State::at_rest(count, density, sound_speed),
             curve: model.curves[0].clone(),
             spacing,
             together: flow.settings.schedule == FlowSchedule::Together,
+            sound_follows: flow.settings.sound_speed_m_s.is_none(),
+            moved: false,
             bounds: [workpiece.low.into(), workpiece.high.into()],
-            sound_speed,
-            temperatures: vec![0.0; count],
+            viscosity: (!flow.viscosity.is_constant()).then(|| flow.viscosity.clone()),
+            tension: matches!(flow.tension, TensionLaw::Table(_)).then(|| flow.tension.clone()),
+            columns: Columns { temperatures: vec![0.0; count], ..Columns::default() },
         })
     }
 
-    /// Lets particles melt and freeze by their enthalpy; what freezes stands still and forgets its pressure.
-    fn change_phase(&mut self, particles: &Particles<3>) {
+    /// Lets particles melt and freeze by their enthalpy; what freezes stands still and forgets its pressure, and the energy of both
+    /// is heat.
+    fn change_phase(&mut self, particles: &mut Particles<3>) {
         for i in 0..particles.len() {
             let liquid = self.curve.liquid_fraction(particles.enthalpy[i]);
             let molten = if self.state.molten[i] { liquid > FREEZES_AT } else { liquid >= MELTS_AT };
-            if molten != self.state.molten[i] {
-                self.state.molten[i] = molten;
-                self.state.velocities[i] = Vector3::zeros();
-                self.state.densities[i] = self.melt.reference_density();
+            if molten == self.state.molten[i] {
+                continue;
             }
+            let energy = 0.5 * self.state.velocities[i].norm_squared()
+                + self.melt.compression(self.state.densities[i]);
+            particles.enthalpy[i] += energy;
+            self.state.work.frozen += particles.mass[i] * energy;
+            self.state.molten[i] = molten;
+            self.state.velocities[i] = Vector3::zeros();
+            self.state.densities[i] = self.melt.reference_density();
         }
+    }
+
+    /// Makes the sound of the melt at least ten times as fast as the melt, at the same pressures.
+    fn follow_flow(&mut self) -> Result<(), sph_fluid::Error> {
+        let needed = SOUND_SPEED_RATIO * self.state.largest_speed();
+        if self.sound_follows && needed > self.state.sound_speed && needed.is_finite() {
+            self.state.sound_speed = SOUND_MARGIN * needed;
+        }
+        self.melt.set_sound_speed(self.state.sound_speed, &mut self.state.densities)
+    }
+
+    /// Temperatures of all particles, and what depends on them.
+    fn update_columns(&mut self, particles: &Particles<3>) {
+        let Columns { temperatures, viscosities, tensions } = &mut self.columns;
+        for (temperature, &enthalpy) in temperatures.iter_mut().zip(&particles.enthalpy) {
+            *temperature = self.curve.temperature(enthalpy);
+        }
+        if let Some(viscosity) = &self.viscosity {
+            viscosities.clear();
+            viscosities.extend(temperatures.iter().map(|&temperature| viscosity.at(temperature)));
+        }
+        if let Some(tension) = &self.tension {
+            tensions.clear();
+            tensions.extend(temperatures.iter().map(|&temperature| tension.at(temperature)));
+        }
+    }
+
+    fn refused(&self, time: f64, error: &sph_fluid::Error) -> Failure {
+        let advice = "set sound_speed_m_s of Flow".into();
+        Failure { physics: "flow", what: format!("the sound of the melt: {error}"), time, at: None, advice }
     }
 
     /// What keeps the run from going on: melt outside the part, or too wild to be `stepped`.
@@ -140,7 +189,7 @@ impl Physics<3> for Flow {
         let dt_s = match (self.state.any_molten(), self.together) {
             (false, _) => f64::INFINITY,
             (true, true) => self.melt.steady_step(fastest),
-            (true, false) => LARGEST_MOVE * self.spacing / fastest.max(1e-3 * self.sound_speed),
+            (true, false) => LARGEST_MOVE * self.spacing / fastest.max(1e-3 * self.state.sound_speed),
         };
         StepLimit { name: "flow", dt_s }
     }
@@ -150,11 +199,12 @@ impl Physics<3> for Flow {
     }
 
     fn advance(&mut self, particles: &mut Particles<3>, time: f64, step: f64) -> Result<f64, Failure> {
+        let was_molten = self.state.any_molten();
         self.change_phase(particles);
-        for (temperature, &enthalpy) in self.temperatures.iter_mut().zip(&particles.enthalpy) {
-            *temperature = self.curve.temperature(enthalpy);
-        }
-        let stepped = self.melt.advance(particles, &mut self.state, &self.temperatures, step);
+        self.moved = was_molten || self.state.any_molten();
+        self.follow_flow().map_err(|error| self.refused(time, &error))?;
+        self.update_columns(particles);
+        let stepped = self.melt.advance(particles, &mut self.state, &self.columns, step);
         match self.problem(particles, time + step, stepped) {
             Some(failure) => Err(failure),
             None => Ok(step),
@@ -162,11 +212,11 @@ impl Physics<3> for Flow {
     }
 
     fn moves(&self) -> bool {
-        self.state.any_molten()
+        self.moved
     }
 
     fn energy(&self) -> Exchange {
-        Exchange::default()
+        Exchange { made: self.state.work.dissipated + self.state.work.frozen, ..Exchange::default() }
     }
 
     fn cost(&self) -> Cost {
@@ -175,8 +225,15 @@ impl Physics<3> for Flow {
 
     fn mechanics(&self) -> Option<Mechanics> {
         let squares = self.state.velocities.iter().map(Vector3::norm_squared);
-        let kinetic = 0.5 * self.melt.mass() * squares.sum::<f64>();
-        Some(Mechanics { kinetic, largest_speed: self.state.largest_speed(), ..Mechanics::default() })
+        let compressions = self.state.densities.iter().map(|&density| self.melt.compression(density));
+        Some(Mechanics {
+            kinetic: 0.5 * self.melt.mass() * squares.sum::<f64>(),
+            compression: self.melt.mass() * compressions.sum::<f64>(),
+            work: self.state.work,
+            largest_speed: self.state.largest_speed(),
+            sound_speed: self.state.sound_speed,
+            ..Mechanics::default()
+        })
     }
 
     fn columns(&self) -> Vec<(&'static str, Column<3>)> {

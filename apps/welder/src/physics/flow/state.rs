@@ -1,6 +1,6 @@
 //! What changes in a melt, and its place in a checkpoint.
 
-use crate::physics::Cost;
+use crate::physics::{Cost, Work};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,11 @@ pub(super) struct State {
     pub pressures: Vec<f64>,
     /// Marangoni force on each particle at the last step \[N\].
     pub marangoni: Vec<Vector3<f64>>,
-    /// Work so far.
+    /// Artificial speed of sound, which follows the flow \[m/s\].
+    pub sound_speed: f64,
+    /// What forces have done so far.
+    pub work: Work,
+    /// Cost so far.
     pub cost: Cost,
 }
 
@@ -29,18 +33,22 @@ struct Saved {
     densities: Vec<f64>,
     pressures: Vec<f64>,
     marangoni: Vec<[f64; 3]>,
+    sound_speed: f64,
+    work: Work,
     cost: Cost,
 }
 
 impl State {
-    /// `count` particles, none molten.
-    pub fn at_rest(count: usize, density: f64) -> Self {
+    /// `count` particles, none molten, in which sound will have this speed \[m/s\].
+    pub fn at_rest(count: usize, density: f64, sound_speed: f64) -> Self {
         Self {
             molten: vec![false; count],
             velocities: vec![Vector3::zeros(); count],
             densities: vec![density; count],
             pressures: vec![0.0; count],
             marangoni: vec![Vector3::zeros(); count],
+            sound_speed,
+            work: Work::default(),
             cost: Cost::default(),
         }
     }
@@ -63,6 +71,8 @@ impl State {
             densities: self.densities.clone(),
             pressures: self.pressures.clone(),
             marangoni: self.marangoni.iter().map(|&force| force.into()).collect(),
+            sound_speed: self.sound_speed,
+            work: self.work,
             cost: self.cost,
         };
         postcard::to_stdvec(&saved).expect("numbers and columns always serialise")
@@ -91,6 +101,8 @@ impl State {
             densities: saved.densities,
             pressures: saved.pressures,
             marangoni: saved.marangoni.into_iter().map(Vector3::from).collect(),
+            sound_speed: saved.sound_speed,
+            work: saved.work,
             cost: saved.cost,
         })
     }

@@ -90,7 +90,7 @@ impl Deposit {
             reflected: audit.reflected_j / self.copies,
             // Light that leaves through the bottom has missed the part too.
             missed: (audit.missed_j + (1.0 - self.held) * audit.absorbed_j) / self.copies,
-            lost: 0.0,
+            ..Exchange::default()
         }
     }
 

@@ -49,7 +49,7 @@ impl FaceExchange {
             material: workpiece.particles.material.clone(),
         };
         for (axis, side, face) in sides(&model.faces) {
-            exchange.add_face(workpiece, rows, (axis, side), face)?;
+            exchange.add_face(model, workpiece, rows, (axis, side), face)?;
         }
         let walls = exchange.walls.iter().map(|wall| wall.particle);
         let losses = exchange.losses.iter().map(|loss| loss.particle);
@@ -61,6 +61,7 @@ impl FaceExchange {
 
     fn add_face(
         &mut self,
+        model: &Model,
         workpiece: &Workpiece,
         rows: &ConductionRows,
         (axis, side): (usize, usize),
@@ -72,15 +73,13 @@ impl FaceExchange {
                 let areas = face_areas(workpiece, rows, axis, side);
                 self.fluxes.extend(areas.into_iter().map(|(i, area, _)| (i, flux_w_m2 * area)));
             }
-            Face::Losses { convection_w_m2_k, emissivity, ambient_k } => {
-                let law = SurfaceLoss::new(convection_w_m2_k, emissivity, ambient_k)?;
-                let areas = face_areas(workpiece, rows, axis, side);
-                self.losses.extend(areas.into_iter().map(|(particle, area, depth)| Loss {
-                    particle,
-                    area,
-                    depth,
-                    law,
-                }));
+            Face::Losses { .. } => {
+                let laws: Vec<_> =
+                    (0..model.curves.len()).map(|m| model.surface_loss(face, m)).collect::<Result<_, _>>()?;
+                for (particle, area, depth) in face_areas(workpiece, rows, axis, side) {
+                    let law = laws[self.material[particle] as usize];
+                    self.losses.extend(law.map(|law| Loss { particle, area, depth, law }));
+                }
             }
         }
         Ok(())
@@ -94,8 +93,11 @@ impl FaceExchange {
     /// Largest share of a particle's heat above its surroundings that it loses in a second \[1/s\].
     pub(super) fn fastest_loss(&self, curves: &[EnthalpyCurve], mass: &[f64]) -> f64 {
         let rate = |loss: &Loss| {
-            let slope = curves[self.material[loss.particle] as usize].largest_temperature_slope();
-            loss.area * loss.law.slope(HOTTEST) * slope / mass[loss.particle]
+            let curve = &curves[self.material[loss.particle] as usize];
+            // However steep the loss, heat must be conducted to the face first.
+            let lost = loss.law.slope(HOTTEST) * curve.largest_temperature_slope();
+            let conducted = curve.largest_potential_slope() / loss.depth;
+            loss.area * lost.min(conducted) / mass[loss.particle]
         };
         self.losses.iter().map(rate).fold(0.0, f64::max)
     }

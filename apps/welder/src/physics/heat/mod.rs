@@ -374,7 +374,7 @@ impl Physics<3> for Heat {
 
     fn rearrange(&mut self, model: &Model, workpiece: &Workpiece) -> Result<(), ModelError> {
         let Some(renewed) = &mut self.renewed else { return Ok(()) };
-        if model.flow.is_some_and(|flow| flow.settings.schedule == FlowSchedule::Together) {
+        if model.flow.as_ref().is_some_and(|flow| flow.settings.schedule == FlowSchedule::Together) {
             renewed.restore(vec![true; workpiece.particles.len()]);
         }
         let mut chunks = renewed.renew(workpiece)?;

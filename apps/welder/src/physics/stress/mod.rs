@@ -257,12 +257,11 @@ impl Physics<3> for Stress {
         let strain = self.body.elastic_energy(owned, &self.temperatures, &self.state.strains);
         Some(Mechanics {
             strain,
-            kinetic: 0.0,
-            largest_speed: 0.0,
             unrest: kinetic / strain.max(f64::MIN_POSITIVE),
             largest_displacement: largest(&mut self.state.displacements[..owned].iter().map(|u| u.norm())),
             largest_von_mises: largest(&mut self.stresses().iter().map(SymmetricTensor::von_mises)),
             largest_plastic_strain: largest(&mut self.state.equivalents[..owned].iter().copied()),
+            ..Mechanics::default()
         })
     }
 

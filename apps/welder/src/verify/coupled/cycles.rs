@@ -185,7 +185,8 @@ fn pulsed(resolution: f64) -> Result<Model, ModelError> {
     let mut model = block([edge, edge, edge / 2], EDGE / resolution, vec![reference_aluminium()])?;
     model.low_corner = [-0.5 * EDGE; 2];
     model.start = uniform_start(START);
-    model.faces.bottom = Face::Losses { convection_w_m2_k: CONVECTION, emissivity: 0.0, ambient_k: START };
+    model.faces.bottom =
+        Face::Losses { convection_w_m2_k: CONVECTION, emissivity: 0.0, ambient_k: START, evaporation: false };
     let point = |time_s: f64, power_w: f64| PowerPoint { time_s, power_w };
     let pulse = |k: usize| {
         let start = k as f64 * PERIOD;

@@ -152,11 +152,9 @@ impl<const D: usize> Fluid<D> {
             positions,
             velocities,
             masses,
-            temperatures: &[],
-            copies: &[],
-            mirrors: &[],
             list_starts: &self.list.0,
             list_neighbors: &self.list.1,
+            ..FluidFields::default()
         };
         self.sweep.accelerations(&fields, densities, dt, &mut self.accelerations);
         for (acceleration, push) in self.accelerations.iter_mut().zip(&self.pushes) {

@@ -138,8 +138,12 @@ fn model(weld: &Weld, resolution: f64) -> Result<Model, ModelError> {
     model.start = uniform_start(START);
     model.faces.y_min = Face::Symmetry;
     if weld.cooled {
-        model.faces.bottom =
-            Face::Losses { convection_w_m2_k: CONVECTION, emissivity: 0.0, ambient_k: START };
+        model.faces.bottom = Face::Losses {
+            convection_w_m2_k: CONVECTION,
+            emissivity: 0.0,
+            ambient_k: START,
+            evaporation: false,
+        };
     }
     model.resolution.disorder = weld.disorder;
     let power = weld.power * POWER;

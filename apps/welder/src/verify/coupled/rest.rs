@@ -7,7 +7,7 @@ use super::super::benchmark::larger;
 use super::super::scene::{block, constant, reference_aluminium, run_until};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
 use crate::case::scene::{Flow, Weights};
-use crate::model::{FlowModel, Model, ModelError};
+use crate::model::{FlowModel, Model, ModelError, TensionLaw};
 use crate::run::Simulation;
 use nalgebra::Vector3;
 use sph_fluid::SurfaceTension;
@@ -141,8 +141,9 @@ fn model(rows: usize) -> Result<Model, ModelError> {
     let density = model.materials[0].density;
     model.flow = Some(FlowModel {
         settings: Flow { sound_speed_m_s: Some(sound_speed()), ..Flow::default() },
-        viscosity: DAMPING * density * DEPTH * (GRAVITY * DEPTH).sqrt(),
-        tension: SurfaceTension::new(TENSION, 0.0, HOT)?,
+        viscosity: constant(DAMPING * density * DEPTH * (GRAVITY * DEPTH).sqrt()),
+        tension: TensionLaw::Linear(SurfaceTension::new(TENSION, 0.0, HOT)?),
+        liquidus: model.materials[0].liquidus,
     });
     model.heat.weights = Weights::Normalized;
     model.end = (DAMPED + HELD) as f64 * period();

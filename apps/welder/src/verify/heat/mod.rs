@@ -2,6 +2,7 @@
 
 pub(super) mod constant_flux;
 pub(super) mod cosine_decay;
+pub(super) mod evaporation;
 pub(super) mod gaussian_field;
 pub mod gaussian_spot;
 pub(super) mod half_spaces;
