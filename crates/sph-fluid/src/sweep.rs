@@ -428,8 +428,10 @@ impl<const D: usize> FluidSweep<D> {
         let walls = wall_pressures.par_iter_mut().zip(seen[mobile..].par_iter_mut()).enumerate();
         walls.for_each_init(RowBuffer::default, |buffer, (k, (pressure, velocity))| {
             let i = mobile + k;
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            let state = wall_state(&leading_part(&row, mobile), &columns, &controls.body_acceleration);
+            let neighbors = fields.neighbors(i);
+            let fluid = &neighbors[..neighbors.partition_point(|&b| (b as usize) < mobile)];
+            let fluid_row = buffer.fill(i, fluid, fields.positions, &controls.kernel);
+            let state = wall_state(&fluid_row, &columns, &controls.body_acceleration);
             let own = fields.velocities[i];
             (*pressure, *velocity) = match state {
                 Some(state) => (state.pressure, wall_velocity(&own, &state.fluid_velocity)),

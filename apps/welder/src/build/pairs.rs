@@ -29,19 +29,30 @@ pub struct PairReport {
 #[derive(Debug, Clone)]
 pub struct Members {
     indices: Vec<u32>,
+    /// The number of each particle of the workpiece among them; [`NOBODY`] of the others.
+    numbers: Vec<u32>,
 }
+
+/// A number that no member has.
+const NOBODY: u32 = u32::MAX;
 
 impl Members {
     /// All `count` particles.
     pub fn all(count: usize) -> Self {
-        Self { indices: (0..count as u32).collect() }
+        let indices: Vec<u32> = (0..count as u32).collect();
+        Self { numbers: indices.clone(), indices }
     }
 
     /// Those in the box from `low` to `high` \[m\].
     pub fn within(positions: &[Vector3<f64>], low: Vector3<f64>, high: Vector3<f64>) -> Self {
         let inside = |x: &Vector3<f64>| (0..3).all(|axis| x[axis] >= low[axis] && x[axis] <= high[axis]);
-        let indices = (0..positions.len() as u32).filter(|&i| inside(&positions[i as usize]));
-        Self { indices: indices.collect() }
+        let indices: Vec<u32> =
+            (0..positions.len() as u32).filter(|&i| inside(&positions[i as usize])).collect();
+        let mut numbers = vec![NOBODY; positions.len()];
+        for (number, &i) in indices.iter().enumerate() {
+            numbers[i as usize] = number as u32;
+        }
+        Self { indices, numbers }
     }
 
     /// Their indices in the workpiece.
@@ -61,7 +72,8 @@ impl Members {
 
     /// The number among them of a particle of the workpiece.
     pub fn find(&self, particle: usize) -> Option<usize> {
-        self.indices.binary_search(&(particle as u32)).ok()
+        let number = self.numbers[particle];
+        (number != NOBODY).then_some(number as usize)
     }
 
     /// Their entries of a column.

@@ -110,9 +110,14 @@ impl RenewedRows {
         let places = renewed.iter().flat_map(|&i| [&positions[i], &self.placed[i]]);
         let [low, high] = bounding_box(places);
         let largest = renewed.iter().map(|&i| workpiece.particles.spacing[i]).fold(0.0, f64::max);
+        let within = |supports: f64| {
+            let margin = Vector3::repeat(supports * support * largest);
+            Members::within(positions, low - margin, high + margin)
+        };
         // A neighbour is of the next level at most: twice the spacing, and half of it in the mean of the pair.
-        let margin = Vector3::repeat(3.0 * support * largest);
-        Members::within(positions, low - margin, high + margin)
+        let wide = within(3.0);
+        let even = wide.indices().iter().all(|&i| workpiece.particles.spacing[i as usize] <= largest);
+        if even { within(2.0) } else { wide }
     }
 
     /// Puts the new rows of the `local` ones, and of those beside them, in the place of the old.
