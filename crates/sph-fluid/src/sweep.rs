@@ -128,6 +128,8 @@ pub struct FluidFields<'a, const D: usize> {
     pub viscosities: &'a [f64],
     /// Surface tension tau \[N/m\] at the temperatures of all particles; empty where the controls' law gives it.
     pub tensions: &'a [f64],
+    /// Pressures of walls that have their own \[Pa\], of walls alone; empty where walls carry the pressure of the fluid.
+    pub wall_pressures: &'a [f64],
     /// For each copy (image across a period or in a mirror plane) the fluid particle that it shows.
     pub copies: &'a [u32],
     /// For each copy the sign by which each component of a vector continues: -1 on mirrored axes. Empty where no copy is a
@@ -283,6 +285,8 @@ impl<const D: usize> FluidSweep<D> {
         assert!(fields.mirrors.is_empty() || fields.mirrors.len() == fields.copies.len(), "mirrors");
         let viscosities = fields.viscosities.len();
         assert!(viscosities == 0 || viscosities == particles, "viscosities");
+        let walls = particles - fluid - fields.copies.len();
+        assert!(fields.wall_pressures.is_empty() || fields.wall_pressures.len() == walls, "wall_pressures");
         self.fit(particles, fluid);
         self.measure_tensions(fields);
         self.measure_stretches(fields, fluid);
@@ -434,7 +438,10 @@ impl<const D: usize> FluidSweep<D> {
             let state = wall_state(&fluid_row, &columns, &controls.body_acceleration);
             let own = fields.velocities[i];
             (*pressure, *velocity) = match state {
-                Some(state) => (state.pressure, wall_velocity(&own, &state.fluid_velocity)),
+                Some(state) => (
+                    fields.wall_pressures.get(k).copied().unwrap_or(state.pressure),
+                    wall_velocity(&own, &state.fluid_velocity),
+                ),
                 // Out of the fluid's reach: no fluid particle reads it.
                 None => (0.0, own),
             };

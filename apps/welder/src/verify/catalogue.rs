@@ -1,6 +1,6 @@
 //! All benchmarks, in the order in which they run.
 
-use super::coupled::{cycles, gallium, gate, grid, nist_tracks, rest};
+use super::coupled::{cup, cycles, gallium, gate, grid, nist_tracks, rest};
 use super::heat::{
     constant_flux, cosine_decay, evaporation, gaussian_field, gaussian_spot, half_spaces, moving_gaussian,
     mushy_stefan, stefan, top_hat,
@@ -67,6 +67,7 @@ static BENCHMARKS: &[Benchmark] = &[
     weld::DISORDERED,
     nist_tracks::BENCHMARK,
     rest::BENCHMARK,
+    cup::BENCHMARK,
     cycles::WITH_STRESS,
     cycles::WITH_FLOW,
     gate::BENCHMARK,

@@ -36,6 +36,15 @@ const KNOWN: &[Known] = &[
             Mark { resolution: 5.0, error: 0.27 },
         ],
     },
+    // The paper's pair force, shown for comparison.
+    Known {
+        entry: "coupled/cup/hu-eberhard-2015-pressure",
+        guards: &[Mark { resolution: 8.0, error: 0.7 }, Mark { resolution: 12.0, error: 0.7 }],
+    },
+    Known {
+        entry: "coupled/cup/hu-eberhard-2015-speed",
+        guards: &[Mark { resolution: 8.0, error: 0.06 }, Mark { resolution: 12.0, error: 0.06 }],
+    },
     Known { entry: "coupled/gallium", guards: &[Mark { resolution: 28.0, error: 0.11 }] },
     Known { entry: "melt/half-sphere-pool/field", guards: &[Mark { resolution: 8.0, error: 0.6 }] },
 ];

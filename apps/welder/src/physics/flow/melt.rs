@@ -310,6 +310,7 @@ impl Melt {
             mirrors: &self.images.mirror,
             list_starts: list.starts(),
             list_neighbors: list.indices(),
+            ..FluidFields::default()
         };
         self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
         state.cost.sweeps += 2;

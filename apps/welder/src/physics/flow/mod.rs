@@ -43,6 +43,9 @@ pub(crate) const LARGEST_MOVE: f64 = 0.25;
 /// changed in each step.
 const SOUND_MARGIN: f64 = 1.1;
 
+/// Sound follows the speed that all but this share of the melt have: a splash of a few particles is no flow.
+const FLOWING: f64 = 0.05;
+
 /// A melt particle this many spacings outside the part has left it; a crown is lower.
 const FARTHEST_OUTSIDE: f64 = 10.0;
 
@@ -122,7 +125,7 @@ impl Flow {
 
     /// Makes the sound of the melt at least ten times as fast as the melt, at the same pressures.
     fn follow_flow(&mut self) -> Result<(), sph_fluid::Error> {
-        let needed = SOUND_SPEED_RATIO * self.state.largest_speed();
+        let needed = SOUND_SPEED_RATIO * self.state.flow_speed(FLOWING);
         if self.sound_follows && needed > self.state.sound_speed && needed.is_finite() {
             self.state.sound_speed = SOUND_MARGIN * needed;
         }

@@ -63,6 +63,15 @@ impl State {
         self.velocities.iter().map(Vector3::norm_squared).fold(0.0, f64::max).sqrt()
     }
 
+    /// Speed that all but a `share` of the melt do not exceed \[m/s\]; zero without melt.
+    pub fn flow_speed(&self, share: f64) -> f64 {
+        let melt = self.velocities.iter().zip(&self.molten).filter(|(_, molten)| **molten);
+        let mut squares: Vec<f64> = melt.map(|(velocity, _)| velocity.norm_squared()).collect();
+        let beyond = (share * squares.len() as f64) as usize;
+        let Some(at) = squares.len().checked_sub(1 + beyond) else { return 0.0 };
+        squares.select_nth_unstable_by(at, f64::total_cmp).1.sqrt()
+    }
+
     /// Bytes for a checkpoint.
     pub fn save(&self) -> Vec<u8> {
         let saved = Saved {
@@ -105,5 +114,21 @@ impl State {
             work: saved.work,
             cost: saved.cost,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_splash_is_no_flow() {
+        let mut state = State::at_rest(101, 2500.0, 10.0);
+        assert_eq!(state.flow_speed(0.05), 0.0);
+        state.molten[..100].fill(true);
+        let speeds = (0..101).map(|i| Vector3::new(0.0, -(f64::from(i) + 1.0), 0.0));
+        state.velocities = speeds.collect();
+        assert_eq!(state.flow_speed(0.05), 95.0);
+        assert_eq!(state.flow_speed(0.0), 100.0);
     }
 }

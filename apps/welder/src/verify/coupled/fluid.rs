@@ -1,12 +1,14 @@
 //! A fluid among walls that others move: the columns of a [`FluidSweep`], kick-drift-kick, and what the fluid does to its walls.
 
 use super::super::neighbors::find;
-use nalgebra::SVector;
+use super::own_stress::own_stress_force;
+use nalgebra::{SMatrix, SVector};
 use sph_fluid::{
     Fields, FluidControls, FluidFields, FluidSweep, artificial_acceleration, leading_part,
     volume_pressure_acceleration,
 };
 use sph_kernel::RowBuffer;
+use sph_solid::SolidPatch;
 
 /// Share of the spacing that two particles may close in by before the list is made anew.
 const SKIN: f64 = 0.4;
@@ -29,6 +31,8 @@ pub(super) struct Fluid<const D: usize> {
     /// What accelerates each particle of the fluid besides the sweep \[m/s^2\].
     pub pushes: Vec<SVector<f64, D>>,
     pub sweep: FluidSweep<D>,
+    /// Pressures of the walls, where they have their own \[Pa\]; empty where that of the fluid is carried to them.
+    pub wall_pressures: Vec<f64>,
     pub pair_visits: u64,
     accelerations: Vec<SVector<f64, D>>,
     controls: FluidControls<D>,
@@ -49,6 +53,7 @@ impl<const D: usize> Fluid<D> {
             accelerations: vec![SVector::zeros(); fluid],
             pushes: vec![SVector::zeros(); fluid],
             sweep: FluidSweep::new(controls)?,
+            wall_pressures: Vec::new(),
             list: (Vec::new(), Vec::new()),
             listed: Vec::new(),
             pair_visits: 0,
@@ -134,6 +139,19 @@ impl<const D: usize> Fluid<D> {
         (self.len()..self.len() + count).map(&mut force).collect()
     }
 
+    /// Lets the stress \[Pa\] of the first walls push the fluid until this is called again, and adds the opposite to their `loads`.
+    pub fn push_by_own_stress(&mut self, stresses: &[SMatrix<f64, D, D>], loads: &mut [SVector<f64, D>]) {
+        let Columns { positions, densities, masses, .. } = &self.columns;
+        let volumes: Vec<f64> = masses.iter().zip(densities).map(|(mass, density)| mass / density).collect();
+        let (fluid, mut buffer) = (self.accelerations.len(), RowBuffer::default());
+        for (i, push) in self.pushes.iter_mut().enumerate() {
+            let neighbors = &self.list.1[self.list.0[i]..self.list.0[i + 1]];
+            let solid = &neighbors[neighbors.partition_point(|&b| (b as usize) < fluid)..];
+            let row = buffer.fill(i, solid, positions, &self.controls.kernel);
+            *push = own_stress_force(&row, &volumes, fluid, stresses, loads) / masses[i];
+        }
+    }
+
     fn kick(&mut self, dt: f64) {
         for (velocity, acceleration) in self.columns.velocities.iter_mut().zip(&self.accelerations) {
             *velocity += acceleration * dt;
@@ -152,6 +170,7 @@ impl<const D: usize> Fluid<D> {
             positions,
             velocities,
             masses,
+            wall_pressures: &self.wall_pressures,
             list_starts: &self.list.0,
             list_neighbors: &self.list.1,
             ..FluidFields::default()
@@ -161,6 +180,27 @@ impl<const D: usize> Fluid<D> {
             *acceleration += push;
         }
         self.pair_visits += 2 * self.list.0[self.accelerations.len()] as u64;
+    }
+}
+
+/// Takes `steps` steps of a body over `dt` \[s\] at standing `loads` \[N; N/m in 2-D\] on its particles.
+pub(super) fn load<const D: usize>(
+    body: &mut SolidPatch<D>,
+    loads: &[SVector<f64, D>],
+    steps: usize,
+    dt: f64,
+) {
+    let short = dt / steps as f64;
+    let kick = |body: &mut SolidPatch<D>| {
+        for i in 0..loads.len() {
+            let gained = loads[i] * (0.5 * short / body.body().masses()[i]);
+            body.velocities[i] += gained.component_mul(&body.free[i]);
+        }
+    };
+    for _ in 0..steps {
+        kick(body);
+        body.step(short);
+        kick(body);
     }
 }
 

@@ -8,7 +8,7 @@
 use super::super::benchmark::{larger, relative};
 use super::super::neighbors::find;
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
-use super::fluid::Fluid;
+use super::fluid::{Fluid, load};
 use nalgebra::Vector2;
 use sph_fluid::{FluidControls, Renewal, Tait, artificial_sound_speed};
 use sph_kernel::KernelKind;
@@ -126,7 +126,7 @@ impl Scene {
     fn step(&mut self, dt: f64) {
         let Self { water, gate, finer_steps, .. } = self;
         let loads = water.forces_on_walls(gate.positions().len());
-        bend(gate, &loads, *finer_steps, dt);
+        load(gate, &loads, *finer_steps, dt);
         water.step(dt, |places, velocities| {
             let now = gate.positions().iter().zip(&gate.displacements).map(|(place, u)| place + u);
             for ((place, velocity), now) in places.iter_mut().zip(velocities).zip(now) {
@@ -148,22 +148,6 @@ impl Scene {
             particles: self.water.columns.positions.len(),
             pair_visits: self.water.pair_visits + self.gate.pair_visits(),
         }
-    }
-}
-
-/// Takes `steps` steps over `dt` \[s\] at standing `loads` \[N/m\].
-fn bend(gate: &mut SolidPatch<2>, loads: &[Vector2<f64>], steps: usize, dt: f64) {
-    let short = dt / steps as f64;
-    let kick = |gate: &mut SolidPatch<2>| {
-        for i in 0..loads.len() {
-            let gained = loads[i] * (0.5 * short / gate.body().masses()[i]);
-            gate.velocities[i] += gained.component_mul(&gate.free[i]);
-        }
-    };
-    for _ in 0..steps {
-        kick(gate);
-        gate.step(short);
-        kick(gate);
     }
 }
 
