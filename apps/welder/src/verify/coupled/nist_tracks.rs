@@ -9,9 +9,11 @@ use super::super::scene::{block, constant, run, uniform_start};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
 use crate::case::scene::{Face, Levels};
 use crate::measure::Extent;
-use crate::model::{Model, ModelError};
+use crate::model::{Model, ModelError, TensionLaw};
 use crate::run::Simulation;
 use laser_source::{Absorption, Beam, Gaussian, LaserSource, Path};
+use sph_fluid::SurfaceTension;
+use sph_thermal::boundary::Evaporation;
 use sph_thermal::phase::{Table, ThermalMaterial};
 
 /// 1/e² radius of the beam \[m\], and temperature of the plate \[K\].
@@ -123,13 +125,16 @@ impl Track {
     /// Half of the track, behind the mirror plane y = 0, with the program's levels.
     fn run(&self, resolution: f64, absorptivity: f64) -> Result<Simulation, BenchmarkError> {
         let simulation = run(self.model(resolution, absorptivity)?)?;
-        let (fused, peak) = (simulation.gauge().weld(), simulation.records().peak_temperature);
+        let (fused, records) = (simulation.gauge().weld(), simulation.records());
         tracing::info!(
-            "{} W, {} m/s, absorptivity {absorptivity:.4}: width {:.1} um, depth {:.1} um, peak {peak:.0} K",
+            "{} W, {} m/s, absorptivity {absorptivity:.4}: width {:.1} um, depth {:.1} um, peak {:.0} K, recoil of vapour \
+             {:.2} times what tension holds",
             self.power,
             self.speed,
             1e6 * fused.width,
-            1e6 * fused.depth
+            1e6 * fused.depth,
+            records.peak_temperature,
+            records.recoil_over_tension
         );
         Ok(simulation)
     }
@@ -141,6 +146,8 @@ impl Track {
         model.start = uniform_start(START);
         model.resolution.levels = Levels::Auto;
         model.faces.y_min = Face::Symmetry;
+        model.evaporation = vec![Some(Evaporation::new(BOILING, HEAT_OF_EVAPORATION, MOLAR_MASS)?)];
+        model.tension = Some(TensionLaw::Linear(SurfaceTension::new(TENSION, TENSION_SLOPE, LIQUIDUS)?));
         let path = Path::Straight {
             from_m: [0.0; 2],
             to_m: [WAY * BEAM_RADIUS, 0.0],
@@ -163,6 +170,17 @@ impl Track {
     }
 }
 
+/// Vapour as in `cases/materials/in625.ron`: boiling point \[K\], heat of evaporation \[J/kg\], molar mass \[kg/mol\]. No heat of
+/// evaporation is taken; the recoil that it would have is told.
+const BOILING: f64 = 3190.0;
+const HEAT_OF_EVAPORATION: f64 = 6.4e6;
+const MOLAR_MASS: f64 = 0.0587;
+
+/// Surface tension of liquid nickel \[N/m\], about, at the liquidus \[K\] of the alloy, and its slope \[N/(m K)\].
+const TENSION: f64 = 1.75;
+const TENSION_SLOPE: f64 = -3.5e-4;
+const LIQUIDUS: f64 = 1620.0;
+
 /// IN625 as in `cases/materials/in625.ron`: conductivities are lines up to their ends, then constant.
 fn alloy() -> Result<ThermalMaterial, sph_thermal::Error> {
     let line = |at_zero: f64, slope: f64, ends: [f64; 2]| {
@@ -171,7 +189,7 @@ fn alloy() -> Result<ThermalMaterial, sph_thermal::Error> {
     Ok(ThermalMaterial {
         density: 7570.0,
         solidus: 1410.0,
-        liquidus: 1620.0,
+        liquidus: LIQUIDUS,
         latent_heat: 2.175e5,
         heat_capacity_solid: constant(579.0),
         heat_capacity_liquid: constant(751.0),
