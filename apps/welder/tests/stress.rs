@@ -176,3 +176,33 @@ fn melt_carries_no_shear_and_a_frozen_spot_is_torn() {
     println!("frozen spot: unrest {unrest:.1e}");
     assert!(unrest < 1e-2, "{unrest}");
 }
+
+/// A part that cannot grow is pressed while it warms, and is warmer for it: dT (rho c_p + alpha T d tr(sigma)/dT) = Q.
+#[test]
+fn pressing_warms_by_its_exact_share_and_closes_the_ledger_of_all_forms() {
+    let ends = "x_min: Symmetry, x_max: Symmetry";
+    let plane = format!("{ends}, y_min: Symmetry, y_max: Symmetry");
+    for (name, faces, stiffness) in
+        [("bar", ends, YOUNG_PA), ("plate", &plane, 2.0 * YOUNG_PA / (1.0 - POISSON))]
+    {
+        let rise = |deformation: bool| {
+            let stress = format!("crossings: 2.0, heat_of_deformation: {deformation}");
+            let part = warm_bar(1.0, 2e-3, faces, &stress);
+            let ledger = part.ledger();
+            assert!(ledger.residual.abs() < 1e-12, "{}", ledger.residual);
+            let curve = &part.model().curves[0];
+            let mean = mean(&part, 0.0..1.0, |i| curve.temperature(part.particles().enthalpy[i]));
+            (mean - 293.0, ledger.deformation_residual, part.mechanics().unwrap())
+        };
+        let ((with, open, mechanics), (without, _, _)) = (rise(true), rise(false));
+        let share = stiffness * EXPANSION * EXPANSION * (293.0 + 0.5 * WARMED_K) / (2500.0 * 1050.0);
+        let exact = share / (1.0 - share);
+        let found = with / without - 1.0;
+        println!(
+            "{name}: warmer by {found:.5}, exact {exact:.5}; ledger open by {open:.1e}, strain {:.2e} J, heat of deformation {:.2e} J",
+            mechanics.strain, mechanics.deformed
+        );
+        assert!((found / exact - 1.0).abs() < 0.03, "{name}: {found} {exact}");
+        assert!(open.abs() < 1e-2 * mechanics.strain / (2500.0 * 1050.0 * WARMED_K * 2e-9), "{open}");
+    }
+}

@@ -11,11 +11,14 @@ pub struct Stress {
     pub crossings: f64,
     /// Faces that do not move. Default: none, the part is free.
     pub clamped: Clamped,
+    /// Whether pressing and stretching change temperatures (Gough-Joule), and yield makes heat: below a kelvin in most welds, and not
+    /// together with Flow. Default: false.
+    pub heat_of_deformation: bool,
 }
 
 impl Default for Stress {
     fn default() -> Self {
-        Stress { crossings: 1.0, clamped: Clamped::default() }
+        Stress { crossings: 1.0, clamped: Clamped::default(), heat_of_deformation: false }
     }
 }
 

@@ -323,8 +323,8 @@ fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Sca
     )
 }
 
-/// E alpha dT / sigma_y: stress of a fully held body over its yield stress at the start (Boley and Weiner 1960). The program
-/// lets stress take no heat; what that leaves out of the temperatures is the thermoelastic coupling.
+/// E alpha dT / sigma_y: stress of a fully held body over its yield stress at the start (Boley and Weiner 1960). By default
+/// stress takes no heat; what that leaves out of the temperatures is the thermoelastic coupling.
 fn stress(case: &Case, model: &Model, card: &MaterialCard, peak: f64) -> Advice {
     let (Some(young), Some(poisson), Some(expansion), Some(strength)) =
         (&card.young_pa, &card.poisson, &card.expansion_1_k, &card.yield_pa)
@@ -349,7 +349,7 @@ fn stress(case: &Case, model: &Model, card: &MaterialCard, peak: f64) -> Advice 
     Advice::new(Effect::Stress, Some(yields),
         format!(
             "E alpha dT / yield {ratio:.1}: {cost}; the pool is the same with and without, and the coupling that both leave \
-             out is {:.1} % of the heat (Boley and Weiner 1960)",
+             out (unless heat_of_deformation is on) is {:.1} % of the heat (Boley and Weiner 1960)",
             100.0 * stored
         ),
     )

@@ -231,10 +231,16 @@ pub struct Energy {
     pub dissipated_j: f64,
     /// Stored as strain.
     pub strain_j: f64,
+    /// Stored by stress beside strain and heat, alpha T tr(sigma); only where deformation makes heat, as the one below.
+    pub thermoelastic_j: f64,
+    /// Heat that pressing, stretching and yield have made since the start, part of what is stored.
+    pub deformation_j: f64,
     /// Heat that cannot be accounted for, over the energy turned over (absorbed, lost or moved inside, whichever is largest).
     pub residual_rel: f64,
     /// Work on the melt that is neither motion nor compression nor heat, over the same: what its scheme loses or gains.
     pub mechanical_residual_rel: f64,
+    /// Heat made by deformation that did not come from strain, over the same: what settling and the steps leave open.
+    pub deformation_residual_rel: f64,
 }
 
 impl<Outcome: Serialize> Summary<Outcome> {

@@ -38,7 +38,15 @@ pub trait Physics<const D: usize> {
         false
     }
 
-    /// Takes up the new places of particles, after another physics has moved them.
+    /// Whether its last step warmed particles and left them where they are.
+    fn warms(&self) -> bool {
+        false
+    }
+
+    /// Takes up the enthalpies of particles, after another physics has warmed them.
+    fn take_heat(&mut self, _particles: &Particles<D>) {}
+
+    /// Takes up the new places and enthalpies of particles, after another physics has moved them.
     ///
     /// # Errors
     /// [`ModelError`] when neighbours or weights cannot be found anew.
@@ -98,6 +106,11 @@ pub struct Mechanics {
     pub sound_speed: f64,
     /// Elastic energy \[J\].
     pub strain: f64,
+    /// Energy \[J\] that a stressed body holds beside that and its heat, alpha T tr(sigma) over its volume; zero where deformation takes
+    /// and makes no heat.
+    pub thermoelastic: f64,
+    /// Heat \[J\] that deformation has made so far.
+    pub deformed: f64,
     /// Kinetic energy of a body that settles over its elastic energy \[-\]: how far it is from equilibrium.
     pub unrest: f64,
     /// Largest displacement \[m\].
@@ -119,6 +132,8 @@ impl Mechanics {
             largest_speed: self.largest_speed.max(other.largest_speed),
             sound_speed: self.sound_speed.max(other.sound_speed),
             strain: self.strain + other.strain,
+            thermoelastic: self.thermoelastic + other.thermoelastic,
+            deformed: self.deformed + other.deformed,
             unrest: self.unrest.max(other.unrest),
             largest_displacement: self.largest_displacement.max(other.largest_displacement),
             largest_von_mises: self.largest_von_mises.max(other.largest_von_mises),

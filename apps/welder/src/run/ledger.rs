@@ -23,7 +23,7 @@ pub struct Ledger {
     pub missed: f64,
     /// Heat lost through faces.
     pub lost: f64,
-    /// Heat made by friction, and by melt that stops as it freezes.
+    /// Heat made by friction, by melt that stops as it freezes, and by deformation.
     pub made: f64,
     /// Stored heat beyond the start, without the latent part.
     pub sensible: f64,
@@ -33,8 +33,10 @@ pub struct Ledger {
     pub residual: f64,
     /// What the melt holds in motion and compression.
     pub moving: f64,
-    /// (work of tension and gravity - heat made - moving) over the energy turned over.
+    /// (work of tension and gravity - heat of friction - moving) over the energy turned over.
     pub mechanical_residual: f64,
+    /// (elastic and thermoelastic energy + heat of deformation) over the energy turned over, where deformation makes heat.
+    pub deformation_residual: f64,
 }
 
 impl Ledger {
@@ -75,6 +77,15 @@ impl Ledger {
             residual: share(missing),
             moving: copies * moving,
             mechanical_residual: share(mechanics.work.kept() - moving),
+            deformation_residual: if model
+                .stress
+                .as_ref()
+                .is_some_and(|stress| stress.settings.heat_of_deformation)
+            {
+                share(mechanics.strain + mechanics.thermoelastic + mechanics.deformed)
+            } else {
+                0.0
+            },
         }
     }
 

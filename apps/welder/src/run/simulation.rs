@@ -99,6 +99,9 @@ impl Simulation {
         }
         if self.physics.iter().any(|physics| physics.moves()) {
             self.rearrange().map_err(|error| self.lost_neighbors(&error))?;
+        } else if self.physics.iter().any(|physics| physics.warms()) {
+            let particles = &self.workpiece.particles;
+            self.physics.iter_mut().for_each(|physics| physics.take_heat(particles));
         }
         let start = self.time;
         self.time = if taken == wanted && wanted == event - start { event } else { start + taken };

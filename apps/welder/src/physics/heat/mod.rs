@@ -372,6 +372,10 @@ impl Physics<3> for Heat {
         }
     }
 
+    fn take_heat(&mut self, particles: &Particles<3>) {
+        self.start_anew(&particles.enthalpy);
+    }
+
     fn rearrange(&mut self, model: &Model, workpiece: &Workpiece) -> Result<(), ModelError> {
         let Some(renewed) = &mut self.renewed else { return Ok(()) };
         if model.flow.as_ref().is_some_and(|flow| flow.settings.schedule == FlowSchedule::Together) {

@@ -3,13 +3,14 @@
 //! Sound would cross a part some ten thousand times during a weld, and nothing of it matters: stress is in equilibrium with
 //! the temperatures of the moment (quasi-static). So each step of heat gives the body a time of its own to settle in, by
 //! damped motion while the temperatures go from the old ones to the new: dynamic relaxation, without a matrix. Heat does not
-//! feel the deformation: in metals elastic strain makes less than 1 K, and shapes change by about 1 %.
+//! feel the shape, which changes by about 1 %; that elastic strain makes up to 1 K it feels where the scene asks for it.
 //!
 //! Where melt flows, the body stays on its lattice and reads there the temperatures that the moving particles bring: the melt
 //! carries no stress, and what freezes begins stress-free where it freezes. The flow does not feel the deformation, which is a
 //! hundredth of a spacing.
 
 mod copies;
+mod heat;
 mod lattice;
 mod state;
 
@@ -18,6 +19,7 @@ use crate::build::Workpiece;
 use crate::model::{Model, ModelError, StressModel};
 use crate::particles::Particles;
 use copies::Copies;
+use heat::HeatOfDeformation;
 use lattice::Lattice;
 use nalgebra::{SMatrix, Vector3};
 use rayon::prelude::*;
@@ -51,6 +53,8 @@ pub struct Stress {
     curve: EnthalpyCurve,
     /// Where particles of the scene have gone, if melt flows.
     lattice: Option<Lattice>,
+    /// The heat that deformation makes, where the scene asks for it.
+    heat: Option<HeatOfDeformation>,
     state: State,
     /// Accelerations of particles and copies \[m/s²\].
     accelerations: Vec<Vector3<f64>>,
@@ -112,7 +116,11 @@ impl Stress {
             copies,
             curve,
             lattice: model.flow.is_some().then(|| Lattice::new(model, workpiece)),
+            heat: stress.settings.heat_of_deformation.then(|| HeatOfDeformation::new(stress, particles)),
         };
+        if stress.heat.is_some() {
+            stress.state.traces = vec![0.0; particles.len()];
+        }
         stress.accelerate();
         Ok(stress)
     }
@@ -182,6 +190,18 @@ impl Stress {
         in_plane.into_iter().map(|in_plane| SymmetricTensor { in_plane, out_of_plane: 0.0 }).collect()
     }
 
+    /// Gives the particles the heat of their deformation in this step.
+    fn warm_particles(&mut self, particles: &mut Particles<3>) {
+        let traces: Vec<f64> = match &self.heat {
+            Some(_) => self.stresses().iter().map(|stress| stress.in_plane.trace()).collect(),
+            None => return,
+        };
+        let Some(heat) = &mut self.heat else { return };
+        let temperatures = [&self.state.temperatures[..], &self.end_temperatures[..]];
+        self.state.deformed += heat.warm(particles, temperatures, [&self.state.traces, &traces]);
+        self.state.traces = traces;
+    }
+
     /// What keeps the run from going on: a displacement that is no number, or so large that it cannot be elastic.
     fn problem(&self, particles: &Particles<3>, time: f64, spacing: f64) -> Option<Failure> {
         let owned = &self.state.displacements[..particles.len()];
@@ -226,7 +246,11 @@ impl Physics<3> for Stress {
         for k in 1..=self.steps {
             self.warm(k as f64 / self.steps as f64);
             self.settle();
+            if let Some(heat) = &mut self.heat {
+                heat.add_yield(self.body.plastic_works());
+            }
         }
+        self.warm_particles(particles);
         self.state.temperatures.copy_from_slice(&self.end_temperatures);
         match self.problem(particles, time + step, particles.spacing[0]) {
             Some(failure) => Err(failure),
@@ -241,8 +265,12 @@ impl Physics<3> for Stress {
         Ok(())
     }
 
+    fn warms(&self) -> bool {
+        self.heat.is_some()
+    }
+
     fn energy(&self) -> Exchange {
-        Exchange::default()
+        Exchange { made: self.state.deformed, ..Exchange::default() }
     }
 
     fn cost(&self) -> Cost {
@@ -257,6 +285,11 @@ impl Physics<3> for Stress {
         let strain = self.body.elastic_energy(owned, &self.temperatures, &self.state.strains);
         Some(Mechanics {
             strain,
+            thermoelastic: self
+                .heat
+                .as_ref()
+                .map_or(0.0, |heat| heat.stored(&self.temperatures, &self.state.traces)),
+            deformed: self.state.deformed,
             unrest: kinetic / strain.max(f64::MIN_POSITIVE),
             largest_displacement: largest(&mut self.state.displacements[..owned].iter().map(|u| u.norm())),
             largest_von_mises: largest(&mut self.stresses().iter().map(SymmetricTensor::von_mises)),

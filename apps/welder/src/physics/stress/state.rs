@@ -18,6 +18,10 @@ pub(super) struct State {
     pub equivalents: Vec<f64>,
     /// Temperatures at the end of the last step \[K\].
     pub temperatures: Vec<f64>,
+    /// tr(sigma) of particles at the end of the last step \[Pa\]; empty where deformation makes no heat.
+    pub traces: Vec<f64>,
+    /// Heat that deformation has made so far \[J\].
+    pub deformed: f64,
     /// Work so far.
     pub cost: Cost,
 }
@@ -31,6 +35,8 @@ struct Saved {
     equivalents: Vec<f64>,
     temperatures: Vec<f64>,
     accelerations: Vec<[f64; 3]>,
+    traces: Vec<f64>,
+    deformed: f64,
     cost: Cost,
 }
 
@@ -43,6 +49,8 @@ impl State {
             strains: vec![SymmetricTensor::zero(); count],
             equivalents: vec![0.0; count],
             temperatures,
+            traces: Vec::new(),
+            deformed: 0.0,
             cost: Cost::default(),
         }
     }
@@ -58,6 +66,8 @@ impl State {
             equivalents: self.equivalents.clone(),
             temperatures: self.temperatures.clone(),
             accelerations: arrays(accelerations),
+            traces: self.traces.clone(),
+            deformed: self.deformed,
             cost: self.cost,
         };
         postcard::to_stdvec(&saved).expect("numbers and columns always serialise")
@@ -81,6 +91,8 @@ impl State {
             strains: saved.strains.into_iter().map(strain).collect(),
             equivalents: saved.equivalents,
             temperatures: saved.temperatures,
+            traces: saved.traces,
+            deformed: saved.deformed,
             cost: saved.cost,
         };
         let (count, owned) = (like.displacements.len(), like.velocities.len());
@@ -91,6 +103,7 @@ impl State {
             state.equivalents.len() == count,
             state.temperatures.len() == count,
             accelerations.len() == count,
+            state.traces.len() == like.traces.len(),
         ];
         if fits.contains(&false) {
             return Err(format!(
