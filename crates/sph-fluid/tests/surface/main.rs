@@ -8,3 +8,4 @@ mod momentum;
 mod patch;
 mod pool;
 mod shapes;
+mod tearing;
