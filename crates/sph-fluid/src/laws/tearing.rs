@@ -1,15 +1,18 @@
 //! How fast a fluid of particles tears where it is pulled.
 
-/// Wave number of the shortest wave that particles show, times the smoothing length \[-\]: pi over the spacing at h = 1.3 spacings.
+/// Wave number of the shortest wave that particles show, times the smoothing length \[-\]: pi over the spacing at h =
+/// 1.3 spacings.
 const SHORTEST_WAVE: f64 = 4.0;
 
 /// Speed \[m/s\] at which particles under a negative pressure draw apart, zero under a positive one.
 ///
-/// The surface of a melt that is hollow pulls at it from all sides. Liquid bears that, particles do not: between them voids open,
-/// by the tensile instability (Swegle, Hicks and Attaway 1995). For its fastest growth, sigma^2 + nu k^2 sigma + (p/rho) k^2 = 0,
-/// this is sigma/k at the shortest wave k. Shifting must keep up with it: where the fluid rests, its own speed is no measure.
+/// The surface of a melt that is hollow pulls at it from all sides. Liquid bears that, particles do not: between them
+/// voids open, by the tensile instability (Swegle, Hicks and Attaway 1995). For its fastest growth, sigma^2 + nu k^2
+/// sigma + (p/rho) k^2 = 0, this is sigma/k at the shortest wave k. Shifting must keep up with it: where the fluid
+/// rests, its own speed is no measure.
 ///
-/// `pressure` p \[Pa\], `density` rho \[kg/m^3\], `kinematic_viscosity` nu \[m^2/s\] with that of the scheme, `smoothing_length` \[m\].
+/// `pressure` p \[Pa\], `density` rho \[kg/m^3\], `kinematic_viscosity` nu \[m^2/s\] with that of the scheme,
+/// `smoothing_length` \[m\].
 #[inline]
 #[must_use]
 pub fn tearing_speed(pressure: f64, density: f64, kinematic_viscosity: f64, smoothing_length: f64) -> f64 {

@@ -13,9 +13,10 @@ const TENSION: f64 = 2.0;
 const LOSS: f64 = 0.1;
 const WALL_ROWS: usize = 4;
 
-/// Height of the cold places over the mean for viscosity and depth 1 and tau = TENSION - LOSS cos(k x): Stokes flow with the stream
-/// function f(y) sin(k x), f = a (sinh ky - ky cosh ky) + b ky sinh ky, f(1) = 0, f''(1) = k LOSS, and p - 2 v_y = -tau h''. For a shallow
-/// layer, k << 1, that is 3 LOSS/(2 tau k^2): Marangoni's pull is spread over the length and bends the surface over its square.
+/// Height of the cold places over the mean for viscosity and depth 1 and tau = TENSION - LOSS cos(k x): Stokes flow
+/// with the stream function f(y) sin(k x), f = a (sinh ky - ky cosh ky) + b ky sinh ky, f(1) = 0, f''(1) = k LOSS, and
+/// p - 2 v_y = -tau h''. For a shallow layer, k << 1, that is 3 LOSS/(2 tau k^2): Marangoni's pull is spread over the
+/// length and bends the surface over its square.
 fn exact_height() -> f64 {
     let k = TAU / LENGTH as f64;
     let (s, c) = (k.sinh(), k.cosh());
