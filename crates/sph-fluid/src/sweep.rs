@@ -6,9 +6,10 @@ use crate::error::{Error, require};
 use crate::{
     Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, Viscosity, acoustic_step,
     artificial_acceleration, artificial_heating, capillary_step, conjugate_colour_gradient,
-    conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate, force_step,
-    friction_heating, leading_part, marangoni_force, strain_acceleration, tension_force,
-    viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
+    conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate,
+    equivalent_viscosity, force_step, friction_heating, leading_part, marangoni_force, strain_acceleration,
+    tearing_speed, tension_force, viscous_acceleration, viscous_step, volume_pressure_acceleration,
+    wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
@@ -91,6 +92,13 @@ impl<const D: usize> FluidControls<D> {
     #[must_use]
     pub fn wild_step(&self) -> f64 {
         WILD * acoustic_step(self.kernel.smoothing_length(), self.state.reference_sound_speed(), 0.0)
+    }
+
+    /// Viscosity of the fluid with that of the scheme \[m^2/s\].
+    fn kinematic_viscosity(&self) -> f64 {
+        let (length, sound) = (self.kernel.smoothing_length(), self.state.reference_sound_speed());
+        self.dynamic_viscosity / self.state.reference_density()
+            + equivalent_viscosity::<D>(length, sound, self.artificial_viscosity)
     }
 
     pub(crate) fn has_surface(&self) -> bool {
@@ -566,6 +574,8 @@ impl<const D: usize> FluidSweep<D> {
         let largest_speed = squares.fold(0.0, f64::max).sqrt();
         let reference_density = self.controls.state.reference_density();
         let masses = even_or(&self.even_masses, fields.masses);
+        let (pressures, length, viscosity) =
+            (&self.pressures, kernel.smoothing_length(), self.controls.kinematic_viscosity());
         self.shifts.resize(fluid, SVector::zeros());
         self.shifts.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, shift)| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
@@ -573,7 +583,8 @@ impl<const D: usize> FluidSweep<D> {
             let (normal, depth) = &surface.planes()[i];
             let flat =
                 if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
-            *shift = renewal.shift_velocity(&crowding, &flat, kernel.smoothing_length(), largest_speed);
+            let tearing = tearing_speed(pressures[i], reference_density, viscosity, length);
+            *shift = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
         });
     }
 }

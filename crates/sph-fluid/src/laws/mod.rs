@@ -10,6 +10,7 @@ mod pressure;
 mod renewal;
 mod sound_speed;
 mod step_limits;
+mod tearing;
 mod thermal_expansion;
 mod viscosity;
 mod wall;
@@ -27,6 +28,7 @@ pub use step_limits::{
     ACOUSTIC_FACTOR, CAPILLARY_FACTOR, FORCE_FACTOR, VISCOUS_FACTOR, acoustic_step, capillary_step,
     force_step, viscous_step,
 };
+pub use tearing::tearing_speed;
 pub use thermal_expansion::ThermalExpansion;
 pub use viscosity::{Friction, Viscosity, strain_acceleration, viscous_acceleration};
 pub use wall::{WallState, wall_state, wall_velocity};

@@ -22,14 +22,15 @@ impl Default for Renewal {
     }
 }
 
-/// Largest shift over S u_max dt \[-\].
+/// Largest shift over S u dt \[-\].
 const LARGEST_SHARE: f64 = 0.25;
 /// Lowest colour that the pull divides by \[-\]: a particle in the air is not pulled to the density of a body.
 const LOWEST_COLOUR: f64 = 0.4;
 
 impl Renewal {
-    /// -S h u_max (sum V grad W + N w1(s)) \[m/s\], at most 0.25 S u_max: what is added to the speed of the drift.
+    /// -S h u (sum V grad W + N w1(s)) \[m/s\], at most 0.25 S u: what is added to the speed of the drift.
     ///
+    /// `speed` u \[m/s\] is what disorders the particles: that of the fastest one, or [`tearing_speed`](crate::tearing_speed).
     /// `concentration_gradient` \[1/m\] of all condensed particles with the volumes m/rho_0; `flat_gradient` N w1(s) \[1/m\] is
     /// what a flat surface would show at the particle's depth (zero inside), so that an even surface is left alone. After Lind,
     /// Xu, Stansby and Rogers (2012), with a normal part.
@@ -40,12 +41,12 @@ impl Renewal {
         concentration_gradient: &SVector<f64, D>,
         flat_gradient: &SVector<f64, D>,
         smoothing_length: f64,
-        largest_speed: f64,
+        speed: f64,
     ) -> SVector<f64, D> {
         let wanted = (concentration_gradient + flat_gradient) * (-smoothing_length);
         let length = wanted.norm();
         let share = if length > LARGEST_SHARE { LARGEST_SHARE / length } else { 1.0 };
-        wanted * (share * self.shifting * largest_speed)
+        wanted * (share * self.shifting * speed)
     }
 
     /// (k c0/h)(sum m W / C(s) - rho) \[kg/(m^3 s)\], the pull of a density towards that of the particles.

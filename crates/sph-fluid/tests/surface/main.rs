@@ -1,5 +1,6 @@
 //! Free surfaces that the stand-alone sweep must reproduce.
 
+mod bulge;
 mod cavity;
 mod drop;
 mod layer;
@@ -8,3 +9,4 @@ mod momentum;
 mod patch;
 mod pool;
 mod shapes;
+mod tearing;
