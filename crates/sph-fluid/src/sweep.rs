@@ -1,13 +1,14 @@
 //! The stand-alone sweep of a weakly compressible fluid.
 
 mod powers;
+mod surface;
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, acoustic_step,
-    artificial_heating, capillary_step, conjugate_colour_gradient, conjugate_pressure_acceleration,
+    Fields, Friction, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait, ThermalExpansion,
+    acoustic_step, artificial_heating, capillary_step, conjugate_pressure_acceleration,
     corrected_density_rate, corrected_diffusion, density_rate, force_step, friction_heating, leading_part,
-    marangoni_force, tension_force, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
+    viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use powers::friction_accelerations;
@@ -39,6 +40,8 @@ pub struct FluidControls<const D: usize> {
     pub body_acceleration: SVector<f64, D>,
     /// Tension of a free surface; `None` where there is none, or where it does not matter.
     pub surface_tension: Option<SurfaceTension>,
+    /// How tension acts on the particles of a surface.
+    pub surface_model: SurfaceModel,
     /// Exchange of the rows of a free surface; needed where a surface flows in a closed melt.
     pub renewal: Option<Renewal>,
     /// How warmth expands the fluid; `None` where it does not.
@@ -62,6 +65,7 @@ impl<const D: usize> FluidControls<D> {
             density_diffusion: 0.0,
             body_acceleration: SVector::zeros(),
             surface_tension: None,
+            surface_model: SurfaceModel::default(),
             renewal: None,
             thermal_expansion: None,
             viscous_heating: false,
@@ -167,6 +171,8 @@ pub struct FluidSweep<const D: usize> {
     shifts: Vec<SVector<f64, D>>,
     /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on the fluid; empty without tension.
     marangoni: Vec<SVector<f64, D>>,
+    /// Stresses of the surface \[N/m^2; N/m in 2-D\] of fluid and copies; empty where tension acts as a force.
+    surface_stresses: Vec<SMatrix<f64, D, D>>,
     /// rho_0/rho_ref(T) of all particles, one of walls, which fill their cells at any temperature, and with it the densities and masses that have the same pressure and room at T_0; empty
     /// without thermal expansion.
     stretches: Vec<f64>,
@@ -195,6 +201,7 @@ impl<const D: usize> FluidSweep<D> {
             density_gradients: Vec::new(),
             shifts: Vec::new(),
             marangoni: Vec::new(),
+            surface_stresses: Vec::new(),
             stretches: Vec::new(),
             even_densities: Vec::new(),
             even_masses: Vec::new(),
@@ -235,7 +242,8 @@ impl<const D: usize> FluidSweep<D> {
         &self.pressures
     }
 
-    /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on each particle of fluid at the last evaluation; empty without tension.
+    /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on each particle of fluid at the last evaluation; empty without tension, zero with
+    /// [`SurfaceModel::Stress`], which has no force of its own for it.
     #[must_use]
     pub fn marangoni_forces(&self) -> &[SVector<f64, D>] {
         &self.marangoni
@@ -276,7 +284,8 @@ impl<const D: usize> FluidSweep<D> {
         self.measure_volumes(fields, densities);
         self.update_states(fields, densities, fluid);
         if let Some(surface) = &mut self.surface {
-            let bends = self.controls.surface_tension.is_some_and(|tension| tension.pulls());
+            let bends = self.controls.surface_model == SurfaceModel::Force
+                && self.controls.surface_tension.is_some_and(|tension| tension.pulls());
             surface.measure(fields, &self.volumes, fluid, bends);
         }
         self.sum_forces(fields, densities, accelerations);
@@ -434,34 +443,6 @@ impl<const D: usize> FluidSweep<D> {
         });
     }
 
-    /// Third pass, over the surface only: tension and Marangoni force.
-    fn add_surface_forces(
-        &mut self,
-        fields: &FluidFields<'_, D>,
-        densities: &[f64],
-        accelerations: &mut [SVector<f64, D>],
-    ) {
-        if self.controls.surface_tension.is_none() || self.surface.is_none() {
-            return;
-        }
-        let mut marangoni = std::mem::take(&mut self.marangoni);
-        marangoni.resize(accelerations.len(), SVector::zeros());
-        let this = &*self;
-        let kernel = &this.controls.kernel;
-        let written = accelerations.par_iter_mut().zip(&mut marangoni).enumerate();
-        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, marangoni))| {
-            *marangoni = SVector::zeros();
-            if this.feels_surface(i) == [false; 2] {
-                return;
-            }
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            let [tension, driving] = this.surface_accelerations(&row, fields, densities);
-            *marangoni = driving * densities[i];
-            *sum += tension + driving;
-        });
-        self.marangoni = marangoni;
-    }
-
     /// Heat of friction, where it is asked for.
     fn measure_heating(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
         let Self { controls, volumes, pressures, seen, heating, .. } = self;
@@ -482,49 +463,6 @@ impl<const D: usize> FluidSweep<D> {
                     artificial_heating(&row, &columns, &controls.kernel, mobile, sound_speed, coefficient);
             }
         });
-    }
-
-    /// Whether tension pulls at a particle, and whether its change with temperature does.
-    fn feels_surface(&self, i: usize) -> [bool; 2] {
-        let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
-            return [false; 2];
-        };
-        let driven = tension.slope() != 0.0 && surface.planes()[i].1 < surface.profile().support();
-        [surface.curvatures()[i] != 0.0, driven]
-    }
-
-    /// Accelerations of a particle by tension and by its change with temperature \[m/s^2\].
-    fn surface_accelerations(
-        &self,
-        row: &Row<'_, D>,
-        fields: &FluidFields<'_, D>,
-        densities: &[f64],
-    ) -> [SVector<f64, D>; 2] {
-        let (i, mut found) = (row.index, [SVector::zeros(); 2]);
-        let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
-            return found;
-        };
-        let (volumes, profile, corrections) = (&self.volumes, surface.profile(), &self.corrections);
-        let [pulled, driven] = self.feels_surface(i);
-        if pulled {
-            let temperature = fields.temperatures.get(i);
-            let tau = temperature.map_or(tension.reference(), |&temperature| tension.at(temperature));
-            let inwards = if corrections.is_empty() {
-                surface.gradients()[i]
-            } else {
-                conjugate_colour_gradient(row, volumes, corrections)
-            };
-            found[0] = tension_force(tau, surface.curvatures()[i], &inwards) / densities[i];
-        }
-        if driven {
-            let (normal, depth) = &surface.planes()[i];
-            let own = corrections.get(i).copied();
-            let inverse = own.unwrap_or_else(|| regularised_inverse(&moment(row, volumes)));
-            let slope = gradient(row, volumes, fields.temperatures, &inverse);
-            let weight = profile.weight(depth.max(0.0));
-            found[1] = marangoni_force(tension.slope(), weight, normal, &slope) / densities[i];
-        }
-        found
     }
 
     /// Shift velocities of the next drift.
