@@ -7,7 +7,10 @@
 //! lists. A second argument leaves only the packed steps, on that many threads. Lines that begin with RESULT are for
 //! programs: seconds of the clock and of the processor for all steps.
 
+mod processor;
+
 use nalgebra::Vector3;
+use processor::processor_seconds;
 use rayon::prelude::*;
 use sph_fluid::{
     FluidControls, FluidFields, FluidSweep, PackedFields, PackedParticle, PackedRates, PackedRows,
@@ -73,14 +76,6 @@ fn timed(runs: usize, mut work: impl FnMut()) -> [f64; 2] {
 fn report_sweep(name: &str, pairs: usize, times: [f64; 2]) {
     let [median, best] = times.map(|time| 1e-6 * pairs as f64 / time);
     println!("  {name:40} {median:6.1} ({best:6.1}) million directed pairs a second");
-}
-
-/// Time of all threads of this process on processors \[s\] to a hundredth; zero where there is no /proc.
-fn processor_seconds() -> f64 {
-    let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
-    // User and system time, in ticks of a hundredth; the name before them may hold blanks, but ends with a bracket.
-    let fields = text.rsplit(')').next().unwrap_or_default().split_whitespace();
-    fields.skip(11).take(2).filter_map(|field| field.parse::<f64>().ok()).sum::<f64>() / 100.0
 }
 
 /// Takes `steps` steps and returns their time \[s\].

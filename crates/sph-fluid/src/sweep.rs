@@ -1,15 +1,15 @@
 //! The stand-alone sweep of a weakly compressible fluid.
 
 mod powers;
+mod surface;
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Friction, Renewal, SurfaceBand, SurfaceTension, Tait, ThermalExpansion, Viscosity, acoustic_step,
-    artificial_acceleration, artificial_heating, capillary_step, conjugate_colour_gradient,
+    Fields, Friction, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait, ThermalExpansion, Viscosity,
+    acoustic_step, artificial_acceleration, artificial_heating, capillary_step,
     conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate,
-    equivalent_viscosity, force_step, friction_heating, leading_part, marangoni_force, strain_acceleration,
-    tearing_speed, tension_force, viscous_acceleration, viscous_step, volume_pressure_acceleration,
-    wall_state, wall_velocity,
+    equivalent_viscosity, force_step, friction_heating, leading_part, strain_acceleration, tearing_speed,
+    viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
@@ -42,6 +42,8 @@ pub struct FluidControls<const D: usize> {
     /// Tension of a free surface; `None` where there is none, or where it does not matter. Its reference rules the steps also where
     /// [`FluidFields::tensions`] gives the tension.
     pub surface_tension: Option<SurfaceTension>,
+    /// How tension acts on the particles of a surface.
+    pub surface_model: SurfaceModel,
     /// Exchange of the rows of a free surface; needed where a surface flows in a closed melt.
     pub renewal: Option<Renewal>,
     /// How warmth expands the fluid; `None` where it does not.
@@ -65,6 +67,7 @@ impl<const D: usize> FluidControls<D> {
             density_diffusion: 0.0,
             body_acceleration: SVector::zeros(),
             surface_tension: None,
+            surface_model: SurfaceModel::default(),
             renewal: None,
             thermal_expansion: None,
             viscous_heating: false,
@@ -194,6 +197,8 @@ pub struct FluidSweep<const D: usize> {
     marangoni: Vec<SVector<f64, D>>,
     /// Surface tension \[N/m\] of all particles; empty where it is the same everywhere.
     tensions: Vec<f64>,
+    /// Stresses of the surface \[N/m^2; N/m in 2-D\] of fluid and copies; empty where tension acts as a force.
+    surface_stresses: Vec<SMatrix<f64, D, D>>,
     /// rho_0/rho_ref(T) of all particles, one of walls, which fill their cells at any temperature, and with it the densities and masses that have the same pressure and room at T_0; empty
     /// without thermal expansion.
     stretches: Vec<f64>,
@@ -225,6 +230,7 @@ impl<const D: usize> FluidSweep<D> {
             tension: Vec::new(),
             marangoni: Vec::new(),
             tensions: Vec::new(),
+            surface_stresses: Vec::new(),
             stretches: Vec::new(),
             even_densities: Vec::new(),
             even_masses: Vec::new(),
@@ -265,7 +271,8 @@ impl<const D: usize> FluidSweep<D> {
         &self.pressures
     }
 
-    /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on each particle of fluid at the last evaluation; empty without tension.
+    /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on each particle of fluid at the last evaluation; empty without tension, zero with
+    /// [`SurfaceModel::Stress`], which has no force of its own for it.
     #[must_use]
     pub fn marangoni_forces(&self) -> &[SVector<f64, D>] {
         &self.marangoni
@@ -311,7 +318,8 @@ impl<const D: usize> FluidSweep<D> {
         self.measure_volumes(fields, densities);
         self.update_states(fields, densities, fluid);
         if let Some(surface) = &mut self.surface {
-            let bends = self.controls.surface_tension.is_some_and(|tension| tension.pulls());
+            let bends = self.controls.surface_model == SurfaceModel::Force
+                && self.controls.surface_tension.is_some_and(|tension| tension.pulls());
             surface.measure(fields, &self.volumes, fluid, bends);
         }
         self.sum_forces(fields, densities, accelerations);
@@ -498,72 +506,6 @@ impl<const D: usize> FluidSweep<D> {
                 *density_gradient = gradient(&fluid_row, volumes, even_densities, &inverse);
             }
         });
-    }
-
-    /// Third pass, over the surface only: tension and Marangoni force.
-    fn add_surface_forces(
-        &mut self,
-        fields: &FluidFields<'_, D>,
-        densities: &[f64],
-        accelerations: &mut [SVector<f64, D>],
-    ) {
-        if self.controls.surface_tension.is_none() || self.surface.is_none() {
-            return;
-        }
-        let [mut tension, mut marangoni] = [&mut self.tension, &mut self.marangoni].map(std::mem::take);
-        tension.resize(accelerations.len(), SVector::zeros());
-        marangoni.resize(accelerations.len(), SVector::zeros());
-        let this = &*self;
-        let kernel = &this.controls.kernel;
-        let written = (accelerations, &mut tension, &mut marangoni).into_par_iter().enumerate();
-        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, tension, marangoni))| {
-            (*tension, *marangoni) = (SVector::zeros(), SVector::zeros());
-            if this.feels_surface(i) == [false; 2] {
-                return;
-            }
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            let [pull, driving] = this.surface_forces(&row);
-            (*tension, *marangoni) = (pull / densities[i], driving);
-            *sum += *tension + driving / densities[i];
-        });
-        (self.tension, self.marangoni) = (tension, marangoni);
-    }
-
-    /// Whether tension pulls at a particle, and whether its change with temperature does.
-    fn feels_surface(&self, i: usize) -> [bool; 2] {
-        let Some(surface) = self.surface.as_ref().filter(|_| self.controls.surface_tension.is_some()) else {
-            return [false; 2];
-        };
-        let driven = !self.tensions.is_empty() && surface.planes()[i].1 < surface.profile().support();
-        [surface.curvatures()[i] != 0.0, driven]
-    }
-
-    /// Forces on a particle by tension and by its change with temperature \[N/m^3; N/m^2 in 2-D\].
-    fn surface_forces(&self, row: &Row<'_, D>) -> [SVector<f64, D>; 2] {
-        let (i, mut found) = (row.index, [SVector::zeros(); 2]);
-        let Some((tension, surface)) = self.controls.surface_tension.zip(self.surface.as_ref()) else {
-            return found;
-        };
-        let (volumes, profile, corrections) = (&self.volumes, surface.profile(), &self.corrections);
-        let [pulled, driven] = self.feels_surface(i);
-        if pulled {
-            let tau = self.tensions.get(i).copied().unwrap_or(tension.reference()).max(0.0);
-            let inwards = if corrections.is_empty() {
-                surface.gradients()[i]
-            } else {
-                conjugate_colour_gradient(row, volumes, corrections)
-            };
-            found[0] = tension_force(tau, surface.curvatures()[i], &inwards);
-        }
-        if driven {
-            let (normal, depth) = &surface.planes()[i];
-            let own = corrections.get(i).copied();
-            let inverse = own.unwrap_or_else(|| regularised_inverse(&moment(row, volumes)));
-            let slope = gradient(row, volumes, &self.tensions, &inverse);
-            let weight = profile.weight(depth.max(0.0));
-            found[1] = marangoni_force(weight, normal, &slope);
-        }
-        found
     }
 
     /// Shift velocities of the next drift.

@@ -1,10 +1,13 @@
 //! Flat layers driven by a surface temperature that rises along x: the open film, the shallow return flow (Birikh 1966), and a
 //! layer between end walls. Density, viscosity, height and slope of temperature are one.
 
-use super::lattice::{Site, WALL_ROWS, lattice};
-use crate::{Error, FindNeighbors, FluidControls, FluidPatch, PatchStart, Renewal, SurfaceTension, Tait};
+use super::Scheme;
+use super::lattice::{Site, lattice};
+use crate::{
+    Error, FindNeighbors, FluidControls, FluidPatch, PatchStart, Renewal, SurfaceModel, SurfaceTension,
+    acoustic_step, viscous_step,
+};
 use nalgebra::{Matrix2, Vector2};
-use sph_kernel::KernelKind;
 use std::f64::consts::PI;
 
 /// tau_T of the layers.
@@ -13,23 +16,36 @@ pub const SLOPE: f64 = -0.1;
 const COLUMNS: usize = 12;
 /// Length of the closed layer.
 const LENGTH: usize = 6;
+/// Tension at x = 0 where it acts as a stress.
+const STRESSED_TENSION: f64 = 0.3;
 
-fn controls(spacing: f64, sound_speed: f64, renewal: Option<Renewal>) -> Result<FluidControls<2>, Error> {
-    let kernel = KernelKind::WendlandC2.with_smoothing_length(1.5 * spacing);
+/// Layers that repeat: sound fifty times as fast as the film.
+pub const SCHEME: Scheme = Scheme::new(5.0);
+/// The closed layer, held flat by its weight: without renewal and corrected gradients it stalls.
+pub const CLOSED_SCHEME: Scheme = Scheme {
+    renewal: Some(Renewal { shifting: 3.0, density_pull: 0.005 }),
+    corrected_gradients: true,
+    ..Scheme::new(30.0)
+};
+
+fn controls(scheme: Scheme, spacing: f64) -> Result<FluidControls<2>, Error> {
+    // A stress cannot push: it needs a tension that stays above zero along the layer, which changes nothing where the surface is flat.
+    let tension = match scheme.surface_model {
+        SurfaceModel::Force => 0.0,
+        SurfaceModel::Stress => STRESSED_TENSION,
+    };
     Ok(FluidControls {
         dynamic_viscosity: 1.0,
-        density_diffusion: 0.1,
-        surface_tension: Some(SurfaceTension::new(0.0, SLOPE, 0.0)?),
-        renewal,
-        ..FluidControls::new(kernel, Tait::new(1.0, sound_speed, 7.0)?)
+        surface_tension: Some(SurfaceTension::new(tension, SLOPE, 0.0)?),
+        ..scheme.controls(spacing)?
     })
 }
 
-/// Columns and rows of fluid; a wall below, `beside` columns wider on both sides, which also stands at the ends where
-/// `closed`.
-fn sites(columns: usize, rows: usize, beside: i32, closed: bool) -> PatchStart<2> {
+/// Columns and rows of fluid; a wall below, some columns wider on both sides, which also stands at the ends where `closed`.
+fn sites(columns: usize, rows: usize, wall_rows: i32, closed: bool) -> PatchStart<2> {
     let (width, height) = (columns as i32, rows as i32);
-    let start = lattice(1.0 / rows as f64, -beside..width + beside, -WALL_ROWS..height, |column, row| {
+    let beside = if closed { wall_rows } else { wall_rows + 2 };
+    let start = lattice(1.0 / rows as f64, -beside..width + beside, -wall_rows..height, |column, row| {
         let inside = (0..width).contains(&column);
         match row {
             0.. if inside => Site::Fluid,
@@ -41,16 +57,16 @@ fn sites(columns: usize, rows: usize, beside: i32, closed: bool) -> PatchStart<2
 }
 
 /// A layer that repeats along x, at rest over a wall, its surface open.
-fn layer(rows: usize, renewal: Option<Renewal>, find: FindNeighbors<2>) -> Result<FluidPatch<2>, Error> {
-    let start = sites(COLUMNS, rows, 6, false);
+fn layer(rows: usize, scheme: Scheme, find: FindNeighbors<2>) -> Result<FluidPatch<2>, Error> {
+    let start = sites(COLUMNS, rows, scheme.wall_rows(), false);
     let (spacing, period) = (start.spacing, COLUMNS as f64 * start.spacing);
     let start = PatchStart { periods: [Some(period), None], ..start };
-    FluidPatch::new(start, controls(spacing, 5.0, renewal)?, find)
+    FluidPatch::new(start, controls(scheme, spacing)?, find)
 }
 
-fn step(patch: &FluidPatch<2>) -> f64 {
-    let length = 1.5 * patch.spacing();
-    (0.125 * length * length).min(0.25 * length / 5.1)
+fn step(patch: &FluidPatch<2>, scheme: Scheme) -> f64 {
+    let length = patch.sweep().kernel().smoothing_length();
+    viscous_step(length, 1.0).min(acoustic_step(length, scheme.sound_speed, SLOPE.abs()))
 }
 
 /// Surface value of the fit u = a z + b z^2 through the particles that `chosen` takes.
@@ -71,13 +87,9 @@ fn surface_speed(patch: &FluidPatch<2>, chosen: impl Fn(&Vector2<f64>) -> bool) 
 ///
 /// # Errors
 /// [`Error`] of the sweep.
-pub fn film(
-    rows: usize,
-    renewal: Option<Renewal>,
-    find: FindNeighbors<2>,
-) -> Result<(f64, FluidPatch<2>), Error> {
-    let mut patch = layer(rows, renewal, find)?;
-    patch.run_to(2.0, step(&patch));
+pub fn film(rows: usize, scheme: Scheme, find: FindNeighbors<2>) -> Result<(f64, FluidPatch<2>), Error> {
+    let mut patch = layer(rows, scheme, find)?;
+    patch.run_to(2.0, step(&patch, scheme));
     let rest = 8.0 / (PI * PI) * (-PI * PI / 4.0 * patch.time()).exp();
     Ok((surface_speed(&patch, |_| true) / (SLOPE * (1.0 - rest)), patch))
 }
@@ -89,11 +101,11 @@ pub fn film(
 /// [`Error`] of the sweep.
 pub fn return_flow(
     rows: usize,
-    renewal: Option<Renewal>,
+    scheme: Scheme,
     find: FindNeighbors<2>,
 ) -> Result<(f64, f64, FluidPatch<2>), Error> {
-    let mut patch = layer(rows, renewal, find)?;
-    let (dt, mut force) = (step(&patch), 0.0);
+    let mut patch = layer(rows, scheme, find)?;
+    let (dt, mut force) = (step(&patch, scheme), 0.0);
     while patch.time() < 2.0 {
         patch.step(dt);
         let velocities = patch.velocities_mut();
@@ -110,6 +122,7 @@ pub fn return_flow(
 pub struct ClosedLayer {
     /// The fluid.
     pub patch: FluidPatch<2>,
+    dt: f64,
 }
 
 impl ClosedLayer {
@@ -117,27 +130,20 @@ impl ClosedLayer {
     ///
     /// # Errors
     /// [`Error`] of the sweep.
-    pub fn new(
-        rows: usize,
-        renewal: Option<Renewal>,
-        corrected_gradients: bool,
-        find: FindNeighbors<2>,
-    ) -> Result<Self, Error> {
+    pub fn new(rows: usize, scheme: Scheme, find: FindNeighbors<2>) -> Result<Self, Error> {
         let start = PatchStart {
             pressure: |position: &Vector2<f64>| 20.0 * (1.0 - position.y),
-            ..sites(LENGTH * rows, rows, WALL_ROWS, true)
+            ..sites(LENGTH * rows, rows, scheme.wall_rows(), true)
         };
-        let controls = FluidControls {
-            body_acceleration: Vector2::new(0.0, -20.0),
-            corrected_gradients,
-            ..controls(start.spacing, 30.0, renewal)?
-        };
-        Ok(Self { patch: FluidPatch::new(start, controls, find)? })
+        let dt = scheme.acoustic_step(0.5, start.spacing);
+        let body_acceleration = Vector2::new(0.0, -20.0);
+        let controls = FluidControls { body_acceleration, ..controls(scheme, start.spacing)? };
+        Ok(Self { patch: FluidPatch::new(start, controls, find)?, dt })
     }
 
     /// Steps to a time.
     pub fn run_to(&mut self, time: f64) {
-        self.patch.run_to(time, 0.5 * 1.5 * self.patch.spacing() / 30.0);
+        self.patch.run_to(time, self.dt);
     }
 
     /// Mean height of the upper row: of the topmost particle in each of six parts of the layer \[H\].

@@ -1,6 +1,6 @@
 //! The area that the surface's particles make up: sum V delta, with the weights delta of both surface forces.
 
-use super::drop::{ball_at_rest, drop_at_rest};
+use super::drop::{self, ball_at_rest, drop_at_rest};
 use super::shapes::tense;
 use crate::{Error, FindNeighbors, FluidPatch, PatchStart};
 use nalgebra::Vector2;
@@ -42,7 +42,7 @@ pub fn plane(rows: usize, find: FindNeighbors<2>) -> Result<(Areas, FluidPatch<2
     let volumes = vec![spacing * spacing; positions.len()];
     let period = columns as f64 * spacing;
     let start = PatchStart { periods: [Some(period), None], ..PatchStart::free(positions, volumes, spacing) };
-    let patch = FluidPatch::new(start, tense(spacing, 15.0)?, find)?;
+    let patch = FluidPatch::new(start, tense(drop::SCHEME, spacing)?, find)?;
     Ok((areas(&patch, 2.0 * period), patch))
 }
 
@@ -51,7 +51,7 @@ pub fn plane(rows: usize, find: FindNeighbors<2>) -> Result<(Areas, FluidPatch<2
 /// # Errors
 /// [`Error`] of the sweep.
 pub fn circle(across: usize, find: FindNeighbors<2>) -> Result<(Areas, FluidPatch<2>), Error> {
-    Ok(round(drop_at_rest(across, 2.0, find)?.patch))
+    Ok(round(drop_at_rest(across, 2.0, drop::SCHEME, find)?.patch))
 }
 
 /// A ball cut out of a lattice, after two capillary times.
@@ -59,7 +59,7 @@ pub fn circle(across: usize, find: FindNeighbors<2>) -> Result<(Areas, FluidPatc
 /// # Errors
 /// [`Error`] of the sweep.
 pub fn sphere(across: usize, find: FindNeighbors<3>) -> Result<(Areas, FluidPatch<3>), Error> {
-    Ok(round(ball_at_rest(across, 2.0, find)?.patch))
+    Ok(round(ball_at_rest(across, 2.0, drop::SCHEME, find)?.patch))
 }
 
 /// Against the circle or sphere of the same volume.

@@ -11,11 +11,14 @@ pub mod layer;
 pub mod measure;
 pub mod momentum;
 pub mod pool;
+mod scheme;
 pub mod shapes;
 pub mod tank;
 pub mod vortices;
 pub mod warm_shear;
 pub mod wave;
+
+pub use scheme::Scheme;
 
 /// The largest of numbers that are not negative; no number where one of them is none.
 pub(crate) fn largest(values: impl Iterator<Item = f64>) -> f64 {

@@ -1,12 +1,11 @@
 //! Momentum of a free body on which nothing acts from outside: forces between pairs keep it to round-off, the force of tension, which is
 //! none of pairs, does not.
 
+use super::drop;
 use super::shapes::{rings, tense};
 use crate::{Error, FindNeighbors, FluidControls, FluidPatch, Friction, PatchStart};
 use nalgebra::Vector2;
 
-/// Speed of sound of the bodies, in units of their radius over the unit of time.
-const SOUND_SPEED: f64 = 15.0;
 const STEPS: usize = 200;
 
 /// Momentum gained in 200 steps by pressure, friction and artificial viscosity with density diffusion, over sum m |v|: the largest of
@@ -22,7 +21,7 @@ pub fn pair_residual(across: usize, find: FindNeighbors<2>) -> Result<(f64, Flui
                 FluidControls { friction, corrected_gradients, surface_tension: None, ..controls(across)? };
             let mut patch = body(across, controls, find)?;
             let before = momentum(&patch);
-            let dt = 0.25 * 1.5 * patch.spacing() / SOUND_SPEED;
+            let dt = drop::SCHEME.acoustic_step(0.25, patch.spacing());
             (0..STEPS).for_each(|_| patch.step(dt));
             found.push(((momentum(&patch) - before).norm() / size(&patch), patch));
         }
@@ -41,7 +40,7 @@ pub fn tension_residual(across: usize, find: FindNeighbors<2>) -> Result<(f64, F
     let mass: f64 = patch.masses().iter().sum();
     let centre = momentum(&patch) / mass;
     patch.velocities_mut().iter_mut().for_each(|velocity| *velocity -= centre);
-    let dt = 0.25 * 1.5 * patch.spacing() / SOUND_SPEED;
+    let dt = drop::SCHEME.acoustic_step(0.25, patch.spacing());
     let mut fastest = 0.0;
     while patch.time() < 2.0 {
         patch.step(dt);
@@ -51,7 +50,7 @@ pub fn tension_residual(across: usize, find: FindNeighbors<2>) -> Result<(f64, F
 }
 
 fn controls(across: usize) -> Result<FluidControls<2>, Error> {
-    let controls = tense(1.0 / across as f64, SOUND_SPEED)?;
+    let controls = tense(drop::SCHEME, 1.0 / across as f64)?;
     Ok(FluidControls { dynamic_viscosity: 0.01, artificial_viscosity: 0.1, ..controls })
 }
 

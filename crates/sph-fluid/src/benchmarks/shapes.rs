@@ -1,8 +1,8 @@
 //! Round bodies of particles in rings and shells.
 
-use crate::{FluidControls, SurfaceTension, Tait, error::Error};
+use super::Scheme;
+use crate::{FluidControls, SurfaceTension, error::Error};
 use nalgebra::{SVector, Vector2, Vector3};
-use sph_kernel::KernelKind;
 use std::f64::consts::PI;
 
 /// Rings about the origin, `across` spacings over the radius 1: positions and areas.
@@ -50,16 +50,11 @@ pub fn cut_ball<const D: usize>(across: usize) -> Vec<SVector<f64, D>> {
     (0..n.pow(D as u32)).map(site).filter(|position| position.norm() < 1.0).collect()
 }
 
-/// Wendland C2 with h = 1.5 spacings, density and tension of one, corrected gradients.
+/// A body with a density and a tension of one.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for a speed of sound that is not positive.
-pub fn tense<const D: usize>(spacing: f64, sound_speed: f64) -> Result<FluidControls<D>, Error> {
-    let kernel = KernelKind::WendlandC2.with_smoothing_length(1.5 * spacing);
-    Ok(FluidControls {
-        density_diffusion: 0.1,
-        corrected_gradients: true,
-        surface_tension: Some(SurfaceTension::new(1.0, 0.0, 0.0)?),
-        ..FluidControls::new(kernel, Tait::new(1.0, sound_speed, 7.0)?)
-    })
+pub fn tense<const D: usize>(scheme: Scheme, spacing: f64) -> Result<FluidControls<D>, Error> {
+    let surface_tension = Some(SurfaceTension::new(1.0, 0.0, 0.0)?);
+    Ok(FluidControls { surface_tension, ..scheme.controls(spacing)? })
 }

@@ -83,6 +83,7 @@ pub struct FluidPatch<const D: usize> {
     sweep: FluidSweep<D>,
     conduction: Option<ConductionSweep<D>>,
     time: f64,
+    steps: u64,
     pair_visits: u64,
 }
 
@@ -135,6 +136,7 @@ impl<const D: usize> FluidPatch<D> {
             list: (Vec::new(), Vec::new()),
             listed: Vec::new(),
             time: 0.0,
+            steps: 0,
             pair_visits: 0,
             start,
             find,
@@ -220,6 +222,12 @@ impl<const D: usize> FluidPatch<D> {
         self.time
     }
 
+    /// Steps taken.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
     /// Directed pairs of the lists that the passes of density and of forces have visited.
     #[must_use]
     pub fn pair_visits(&self) -> u64 {
@@ -263,6 +271,7 @@ impl<const D: usize> FluidPatch<D> {
         self.evaluate(dt);
         self.kick(0.5 * dt);
         self.time += dt;
+        self.steps += 1;
     }
 
     /// Equal steps of at most `dt` \[s\] that end on `time` \[s\].

@@ -39,7 +39,8 @@ pub fn curvature<const D: usize>(
             }
         }
     }
-    trace_of_quotient::<D>(&turned, &moved).clamp(-largest, largest)
+    // Not `clamp`, which panics where a volume is no number: whoever steps the fluid says so in its own way.
+    trace_of_quotient::<D>(&turned, &moved).max(-largest).min(largest)
 }
 
 /// tr(A B^-1) over the D - 1 directions of the tangent plane, zero where the band is too thin to tell.
@@ -109,8 +110,11 @@ pub fn smoothed_curvature<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::test_block::Block;
+    use crate::unit_or_zero;
     use nalgebra::{Vector2, Vector3};
     use proptest::prelude::*;
+    use sph_kernel::operators::colour_gradient;
 
     proptest! {
         #[test]
@@ -123,6 +127,19 @@ mod tests {
             let flat = Vector2::new(x, z).normalize();
             prop_assert!(tangents(&flat)[0].dot(&flat).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn a_particle_that_has_left_the_numbers_does_not_stop_the_program() {
+        let block = Block::<2>::new(5, 0.1);
+        let gradients = block.map_rows(|row| colour_gradient(row, &block.volumes));
+        let normals: Vec<_> = gradients.iter().map(|gradient| -unit_or_zero(gradient)).collect();
+        let volumes = vec![f64::NAN; 25];
+        block.with_row(2, |row| {
+            let depths = [0.0; 25];
+            let found = curvature(row, &volumes, &gradients, &normals, &depths, &[true; 25], f64::NAN);
+            assert_eq!(found, 0.0);
+        });
     }
 
     #[test]

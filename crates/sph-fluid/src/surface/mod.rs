@@ -9,6 +9,7 @@ mod curvature;
 mod force;
 mod normal;
 mod plane;
+mod stress;
 mod tension;
 
 pub use band::SurfaceBand;
@@ -16,4 +17,5 @@ pub use curvature::{curvature, smoothed_curvature};
 pub use force::{marangoni_force, tension_force};
 pub use normal::{is_surface, may_be_surface, plane_of_surface, smoothed_normal, unit_or_zero};
 pub use plane::PlaneProfile;
+pub use stress::{PLAIN_SHARE, SurfaceModel, surface_stress, surface_stress_acceleration};
 pub use tension::SurfaceTension;

@@ -2,7 +2,7 @@
 
 use crate::patch::find;
 use sph_fluid::benchmarks::dam::DamBreak;
-use sph_fluid::benchmarks::vortices::vortices;
+use sph_fluid::benchmarks::vortices::{SCHEME, vortices};
 
 #[test]
 fn a_dam_breaks_as_in_the_experiment_and_nothing_is_lost() {
@@ -18,7 +18,7 @@ fn a_dam_breaks_as_in_the_experiment_and_nothing_is_lost() {
 #[test]
 fn vortices_decay_and_leave_no_voids() {
     // Measured 3.2 % and 0.02.
-    let vortices = vortices(25, find).unwrap();
+    let vortices = vortices(25, SCHEME, find).unwrap();
     println!("vortices, 25 across: speed {:.4}, empty {:.3}", vortices.speed_error, vortices.emptiness);
     assert!(vortices.speed_error < 0.042, "{}", vortices.speed_error);
     assert!(vortices.emptiness < 0.045, "{}", vortices.emptiness);

@@ -2,14 +2,15 @@
 
 use crate::patch::find;
 use nalgebra::Vector3;
-use sph_fluid::benchmarks::layer::{ClosedLayer, SLOPE, film, return_flow};
+use sph_fluid::benchmarks::Scheme;
+use sph_fluid::benchmarks::layer::{CLOSED_SCHEME, ClosedLayer, SCHEME, SLOPE, film, return_flow};
 use sph_fluid::{FluidControls, FluidPatch, PatchStart, Renewal, SurfaceTension, Tait};
 use sph_kernel::KernelKind;
 
 #[test]
 fn the_film_runs_with_the_shear_of_the_surface() {
     for renewal in [None, Some(Renewal::default())] {
-        let (ratio, _) = film(8, renewal, find).unwrap();
+        let (ratio, _) = film(8, Scheme { renewal, ..SCHEME }, find).unwrap();
         println!("film, 8 rows, renewal {}: u_s/exact {ratio:.4}", renewal.is_some());
         assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
     }
@@ -19,7 +20,7 @@ fn the_film_runs_with_the_shear_of_the_surface() {
 fn the_return_flow_has_the_speed_of_birikh() {
     for (rows, mark) in [(8, 0.04), (16, 0.03)] {
         for renewal in [None, Some(Renewal::default())] {
-            let (speed, force, _) = return_flow(rows, renewal, find).unwrap();
+            let (speed, force, _) = return_flow(rows, Scheme { renewal, ..SCHEME }, find).unwrap();
             let renewed = renewal.is_some();
             println!(
                 "return flow, {rows} rows, renewal {renewed}: u_s/exact {speed:.4}, force/exact {force:.4}"
@@ -68,7 +69,7 @@ fn the_driving_force_is_exact_in_three_dimensions() {
 #[test]
 fn a_closed_layer_does_not_stall() {
     // Measured 1.001 with an L2 error of 0.072.
-    let mut layer = ClosedLayer::new(8, Some(Renewal::default()), true, find).unwrap();
+    let mut layer = ClosedLayer::new(8, CLOSED_SCHEME, find).unwrap();
     layer.run_to(28.0);
     let (speed, error) = layer.middle();
     println!("closed layer, 8 rows, t = 28: u_s/exact {speed:.4}, L2 {error:.3}");
@@ -81,7 +82,9 @@ fn a_closed_layer_does_not_stall() {
 
 #[test]
 fn the_plain_scheme_stalls_in_a_closed_layer() {
-    let mut layer = ClosedLayer::new(8, None, false, find).unwrap();
+    let mut layer =
+        ClosedLayer::new(8, Scheme { renewal: None, corrected_gradients: false, ..CLOSED_SCHEME }, find)
+            .unwrap();
     layer.run_to(28.0);
     let (speed, _) = layer.middle();
     println!("closed layer, plain scheme, 8 rows, t = 28: u_s/exact {speed:.4}");

@@ -2,8 +2,9 @@
 
 use crate::patch::find;
 use nalgebra::{SVector, Vector2};
+use sph_fluid::benchmarks::drop::SCHEME;
 use sph_fluid::benchmarks::shapes::{rings, shells, tense};
-use sph_fluid::{FluidPatch, PatchStart};
+use sph_fluid::{FluidControls, FluidPatch, PatchStart, SurfaceModel};
 use std::f64::consts::PI;
 
 /// Mean and root mean square of kappa/(D - 1) - 1 over the band of a round body of radius 1, weighted with V |grad C|, and the
@@ -11,7 +12,7 @@ use std::f64::consts::PI;
 fn round_body<const D: usize>(positions: Vec<SVector<f64, D>>, volumes: Vec<f64>, across: usize) -> [f64; 3] {
     let spacing = 1.0 / across as f64;
     let start = PatchStart::free(positions, volumes.clone(), spacing);
-    let patch = FluidPatch::new(start, tense(spacing, 15.0).unwrap(), find).unwrap();
+    let patch = FluidPatch::new(start, tense(SCHEME, spacing).unwrap(), find).unwrap();
     let surface = patch.sweep().surface().unwrap();
     let weight = |i: usize| surface.gradients()[i].norm() * volumes[i];
     let band: Vec<usize> = (0..volumes.len()).filter(|&i| surface.flags()[i]).collect();
@@ -48,11 +49,42 @@ fn a_plane_has_its_area_and_no_curvature() {
     let period = columns as f64 * spacing;
     let start =
         PatchStart { periods: [Some(period), None], ..PatchStart::free(positions, areas.clone(), spacing) };
-    let patch = FluidPatch::new(start, tense(spacing, 15.0).unwrap(), find).unwrap();
+    let patch = FluidPatch::new(start, tense(SCHEME, spacing).unwrap(), find).unwrap();
     let surface = patch.sweep().surface().unwrap();
     let length: f64 = (0..areas.len()).map(|i| 2.0 * surface.gradients()[i].norm() * areas[i]).sum();
     // Two faces.
     assert!((length / (2.0 * period) - 1.0).abs() < 0.01, "{length}");
     assert!(surface.curvatures().iter().all(|kappa| kappa.abs() < 1e-9));
     assert!(patch.accelerations().iter().all(|a: &Vector2<f64>| a.norm() < 1e-9));
+}
+
+/// sum m a.x of a round body of radius 1 without pressure, over -(D - 1) tau A, what tension along its area A does: the pressure that a
+/// stress of the surface makes over Laplace's.
+fn virial<const D: usize>(
+    (positions, volumes): (Vec<SVector<f64, D>>, Vec<f64>),
+    across: usize,
+    corrected_gradients: bool,
+) -> f64 {
+    let spacing = 1.0 / across as f64;
+    let surface_model = SurfaceModel::Stress;
+    let controls = FluidControls { surface_model, corrected_gradients, ..tense(SCHEME, spacing).unwrap() };
+    let patch = FluidPatch::new(PatchStart::free(positions, volumes, spacing), controls, find).unwrap();
+    let forces = patch.masses().iter().zip(patch.accelerations());
+    let sum: f64 =
+        forces.zip(patch.positions()).map(|((mass, acceleration), x)| mass * acceleration.dot(x)).sum();
+    let exact = if D == 2 { -2.0 * PI } else { -8.0 * PI };
+    sum / exact
+}
+
+#[test]
+fn a_stress_of_the_surface_has_its_tension_in_the_plane_and_in_space() {
+    for corrected in [false, true] {
+        let circle = virial(rings(20), 20, corrected);
+        let sphere = virial(shells(10), 10, corrected);
+        println!(
+            "stress, corrected gradients {corrected}: circle R/dx 20 {circle:.4}, sphere R/dx 10 {sphere:.4}"
+        );
+        assert!((circle - 1.0).abs() < 0.02, "{circle}");
+        assert!((sphere - 1.0).abs() < 0.04, "{sphere}");
+    }
 }

@@ -2,8 +2,7 @@
 
 use super::super::{Benchmark, Mark, Quantity};
 use super::{find, outcome};
-use sph_fluid::Renewal;
-use sph_fluid::benchmarks::layer::{ClosedLayer, film, return_flow};
+use sph_fluid::benchmarks::layer::{CLOSED_SCHEME, ClosedLayer, SCHEME, film, return_flow};
 
 pub(in super::super) const FILM: Benchmark = Benchmark {
     name: "melt/film",
@@ -17,7 +16,7 @@ pub(in super::super) const FILM: Benchmark = Benchmark {
     resolutions: [8.0, 16.0, 24.0],
     quick: 2,
     run: |resolution| {
-        let (ratio, patch) = film(resolution as usize, None, find)?;
+        let (ratio, patch) = film(resolution as usize, SCHEME, find)?;
         Ok(outcome(&patch, vec![(ratio - 1.0).abs()]))
     },
 };
@@ -38,7 +37,7 @@ pub(in super::super) const RETURN_FLOW: Benchmark = Benchmark {
     resolutions: [8.0, 16.0, 32.0],
     quick: 2,
     run: |resolution| {
-        let (ratio, _, patch) = return_flow(resolution as usize, None, find)?;
+        let (ratio, _, patch) = return_flow(resolution as usize, SCHEME, find)?;
         Ok(outcome(&patch, vec![(ratio - 1.0).abs()]))
     },
 };
@@ -73,7 +72,7 @@ pub(in super::super) const CLOSED_LAYER: Benchmark = Benchmark {
     resolutions: [8.0, 10.0, 12.0],
     quick: 1,
     run: |resolution| {
-        let mut layer = ClosedLayer::new(resolution as usize, Some(Renewal::default()), true, find)?;
+        let mut layer = ClosedLayer::new(resolution as usize, CLOSED_SCHEME, find)?;
         let looks: [_; 8] = std::array::from_fn(|k| {
             layer.run_to(7.0 * (k + 1) as f64);
             let (ratio, field) = layer.middle();

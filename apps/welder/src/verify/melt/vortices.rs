@@ -2,7 +2,7 @@
 
 use super::super::{Benchmark, Mark, Quantity};
 use super::{find, outcome};
-use sph_fluid::benchmarks::vortices::vortices;
+use sph_fluid::benchmarks::vortices::{SCHEME, vortices};
 
 pub(in super::super) const TAYLOR_GREEN: Benchmark = Benchmark {
     name: "melt/taylor-green",
@@ -32,7 +32,7 @@ pub(in super::super) const TAYLOR_GREEN: Benchmark = Benchmark {
     resolutions: [25.0, 50.0, 100.0],
     quick: 2,
     run: |resolution| {
-        let vortices = vortices(resolution as usize, find)?;
+        let vortices = vortices(resolution as usize, SCHEME, find)?;
         Ok(outcome(&vortices.patch, vec![vortices.speed_error, vortices.emptiness]))
     },
 };
