@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the hard cases (cases/hard) and writes docs/src/gallery.md and its pictures from what they left behind.
+"""Runs the hard cases (cases/hard) and writes docs/src/gallery.md, docs/src/gallery-fluid.md and their pictures from what they left
+behind.
 
     cargo build -p welder && cargo build -p sph-fluid -p sph-solid --examples
     python3 docs/gallery.py
+
+`--page welds` or `--page fluid` runs and writes one of the two pages.
 
 Every word of the page comes from the scenes (their first comment and title), every number from summary.json and the
 messages of the program, every picture from the program. A case may end as done, or with a status of its own that the
@@ -10,9 +13,9 @@ program names: a failure with a dossier, an audit that failed. Exit code 1: a ca
 """
 
 import argparse
+import csv
 import json
 import re
-import shutil
 import struct
 import subprocess
 import sys
@@ -21,7 +24,7 @@ import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs/src/gallery.md"
+SOURCES = ROOT / "docs/src"
 PICTURES = ROOT / "docs/src/gallery"
 
 # Exit codes of the program that are named ends of a run.
@@ -57,6 +60,9 @@ class Run:
         summary = self.out / "summary.json"
         self.summary = json.loads(summary.read_text()) if summary.is_file() else None
 
+    def is_fluid(self):
+        return self.name.startswith("fluid-")
+
     def is_named(self):
         """Whether the run ended as something that the program has a name for, with what belongs to it."""
         return self.summary is not None and self.code in ENDS and (
@@ -69,9 +75,9 @@ class Run:
         return ENDS.get(self.code, f"exit code {self.code}")
 
     def picture(self):
-        """The picture that shows the case: its stress, what moves from above, else the section along x."""
+        """The picture that shows the case: its stress, what moves from above, the speed of a fluid, else the section along x."""
         seen_from_above = "seam" in self.name or self.name in ("two-spots", "edge")
-        wanted = ["stress_x", "top" if seen_from_above else "section_x"]
+        wanted = ["stress_x", "speed", "top" if seen_from_above else "section_x"]
         there = [self.out / f"{name}.png" for name in wanted if (self.out / f"{name}.png").is_file()]
         return there[0] if there else None
 
@@ -135,10 +141,51 @@ def row(run):
     )
 
 
+def fluid_row(run):
+    if run.summary is None:
+        return f"| [{run.name}](#{run.name}) | {run.end()} | | | | | | | |"
+    s = run.summary
+    n = s["numbers"]
+    box = " x ".join(f"{1e3 * (high - low):.3f}" for low, high in zip(s["low_m"], s["high_m"]))
+    return (
+        f"| [{run.name}](#{run.name}) | {run.end()} | {s['max_speed_m_s']:.3g} | {n['reynolds']:.3g} | {n['mach']:.2g} "
+        f"| {100 * s['max_density_change_rel']:.2f} | {box} | {s['energy']['residual_rel']:.0e} "
+        f"| {s['particles']} x {s['steps']} | {s['cpu_s']:.1f} |"
+    )
+
+
+def history(run):
+    """Columns of history.csv."""
+    with (run.out / "history.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    return {name: [float(row[name]) for row in rows if row[name]] for name in rows[0] if name != "dt_limit"}
+
+
+def course(run):
+    """How fast a fluid was, how far it reached and where its middle was, at ten times of its run."""
+    columns = history(run)
+    times = columns["time_s"]
+    picked = [min(range(len(times)), key=lambda k: abs(times[k] - times[-1] * tenth / 10)) for tenth in range(1, 11)]
+    line = lambda title, texts: f"| {title} | " + " | ".join(texts) + " |"
+    ends = lambda axis, k: [1e3 * columns[f"{axis}_{end}_m"][k] for end in ("min", "max")]
+    extent = lambda axis, k: f"{ends(axis, k)[1] - ends(axis, k)[0]:.3f}"
+    centre = lambda axis, k: f"{sum(ends(axis, k)) / 2:.3f}"
+    return [
+        line("time ms", [f"{1e3 * times[k]:.4g}" for k in picked]),
+        "|---" * 11 + "|",
+        line("largest speed m/s", [f"{columns['max_speed_m_s'][k]:.3g}" for k in picked]),
+        *(line(f"extent along {axis} mm", [extent(axis, k) for k in picked]) for axis in "xy"),
+        *(line(f"middle along {axis} mm", [centre(axis, k) for k in picked]) for axis in "xy"),
+        "",
+    ]
+
+
 def more(run):
     """Numbers of flow and stress, where they were computed."""
     s = run.summary or {}
     said = []
+    if run.is_fluid():
+        return said
     if "reynolds" in s.get("numbers", {}):
         n = s["numbers"]
         said.append(
@@ -158,6 +205,7 @@ def section(run):
     lines = [f"### {run.name}", "", f"**{run.title}.** {run.words}", ""]
     lines += more(run) + ([""] if more(run) else [])
     lines += [f"> {line}" for line in run.said] + ([""] if run.said else [])
+    lines += course(run) if run.is_fluid() and run.summary else []
     picture = run.picture() if run.summary else None
     if picture:
         (PICTURES / f"{run.name}.png").write_bytes(small_png(picture.read_bytes()))
@@ -173,11 +221,43 @@ def example(package, name, arguments):
     return [f"### {name}", "", f"`cargo run -p {package} --example {name}`: {words}", "", "```text", text.rstrip(), "```", ""]
 
 
-def page(runs, examples, machine):
+def names(which):
+    return ", ".join(f"[{run.name}](#{run.name})" for run in which) or "none"
+
+
+def account(runs, machine):
+    """What was run, what it cost, and what did not end as hoped."""
     seconds = sum(run.summary["cpu_s"] for run in runs if run.summary)
-    failed = [run.name for run in runs if run.code != 0]
-    spoken = [run.name for run in runs if run.code == 0 and run.said]
-    names = lambda which: ", ".join(f"[{name}](#{name})" for name in which) or "none"
+    failed = [run for run in runs if run.code != 0]
+    spoken = [run for run in runs if run.code == 0 and run.said]
+    return (
+        f"{len(runs)} cases, {seconds:.0f} s of processor time on {machine}. Ended otherwise than done: {names(failed)}. "
+        f"Done with a warning: {names(spoken)}."
+    )
+
+
+def fluid_page(runs, machine):
+    lines = [
+        "# Hard cases of fluid",
+        "",
+        "Scenes of [pure fluid](how-to/fluid.md) at the border of what the program can do: `cases/hard/fluid-*`, each run with `welder run`. This page",
+        "and its pictures were written by `python3 docs/gallery.py --page fluid` from those runs; no number is typed.",
+        "",
+        account(runs, machine),
+        "",
+        "| case | ended | largest speed m/s | Reynolds | Mach | density change % | extent at the end mm | energy residual | particles x steps | cpu s |",
+        "|---|---|---|---|---|---|---|---|---|---|",
+        *map(fluid_row, runs),
+        "",
+        "The residual is the energy that the scheme itself took, over the largest of the others; below zero it gave.",
+        "",
+    ]
+    for run in runs:
+        lines += section(run)
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def weld_page(runs, examples, machine):
     lines = [
         "# Hard cases",
         "",
@@ -185,7 +265,7 @@ def page(runs, examples, machine):
         "pictures were written by `python3 docs/gallery.py` from those runs; no number is typed. A case ends as done, or with a status",
         "that the program names.",
         "",
-        f"{len(runs)} cases, {seconds:.0f} s of processor time on {machine}. Ended otherwise than done: {names(failed)}. Done with a warning: {names(spoken)}.",
+        account(runs, machine),
         "",
         "| case | ended | width um | length um | depth um | peak K | solid ms | energy residual | particles x steps | cpu s |",
         "|---|---|---|---|---|---|---|---|---|---|",
@@ -208,25 +288,41 @@ def page(runs, examples, machine):
     return "\n".join(lines).rstrip() + "\n"
 
 
+def write(page, runs, program):
+    """Writes a page, and its pictures in place of those it had."""
+    PICTURES.mkdir(exist_ok=True)
+    for old in PICTURES.glob("*.png"):
+        if old.stem.startswith("fluid-") == (page == "fluid"):
+            old.unlink()
+    if page == "fluid":
+        (SOURCES / "gallery-fluid.md").write_text(fluid_page(runs, machine(program)))
+    else:
+        examples = [example(*one) for one in EXAMPLES]
+        (SOURCES / "gallery.md").write_text(weld_page(runs, examples, machine(program)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--welder", type=Path, default=ROOT / "target/debug/welder", help="the program")
+    parser.add_argument("--page", choices=["welds", "fluid"], help="run and write this page only")
     parser.add_argument("--only", metavar="NAME", nargs="+", help="run these cases and print their rows; write nothing")
     given = parser.parse_args()
     folders = sorted(path.parent for path in (ROOT / "cases/hard").glob("*/scene.ron"))
     if given.only:
         folders = [folder for folder in folders if folder.name in given.only]
+    pages = {"welds": [], "fluid": []}
     with tempfile.TemporaryDirectory() as scratch:
-        runs = []
         for folder in folders:
-            runs.append(Run(folder, given.welder, Path(scratch)))
-            print(row(runs[-1]), *runs[-1].said, sep="\n  ", flush=True)
-        if not given.only:
-            shutil.rmtree(PICTURES, ignore_errors=True)
-            PICTURES.mkdir()
-            examples = [example(*one) for one in EXAMPLES]
-            PAGE.write_text(page(runs, examples, machine(given.welder)))
-    wrong = [run.name for run in runs if not run.is_named()]
+            kind = "fluid" if folder.name.startswith("fluid-") else "welds"
+            if given.page not in (None, kind):
+                continue
+            run = Run(folder, given.welder, Path(scratch))
+            print(fluid_row(run) if run.is_fluid() else row(run), *run.said, sep="\n  ", flush=True)
+            pages[kind].append(run)
+        for kind, runs in pages.items():
+            if runs and not given.only:
+                write(kind, runs, given.welder)
+    wrong = [run.name for runs in pages.values() for run in runs if not run.is_named()]
     if wrong:
         sys.exit(f"ended without a name: {', '.join(wrong)}")
 

@@ -125,7 +125,7 @@ const FLOWS: [Flow; 6] = [
     },
 ];
 
-type Choice = Box<dyn Fn(&Flow) -> Option<Scheme>>;
+type Choice = Box<dyn Fn(&Flow) -> Option<Scheme> + Send + Sync>;
 
 /// One row: its name, how much finer, and what it makes of a flow's own scheme; `None` where it says nothing about the flow.
 struct Setting {
@@ -134,7 +134,10 @@ struct Setting {
     scheme: Choice,
 }
 
-fn setting(name: impl Into<String>, scheme: impl Fn(&Flow) -> Option<Scheme> + 'static) -> Setting {
+fn setting(
+    name: impl Into<String>,
+    scheme: impl Fn(&Flow) -> Option<Scheme> + Send + Sync + 'static,
+) -> Setting {
     Setting { name: name.into(), refinement: 1.0, scheme: Box::new(scheme) }
 }
 
@@ -276,6 +279,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let columns: Vec<&str> = FLOWS.iter().flat_map(|flow| flow.columns).copied().collect();
     println!("| {axis} | {} | steps | pairs, millions | cpu s |", columns.join(" | "));
     println!("|{}", "---|".repeat(columns.len() + 4));
-    settings.iter().for_each(print_row);
+    // Inside the pool: from outside each sweep would wait for a thread to wake up.
+    rayon::scope(|_| settings.iter().for_each(print_row));
     Ok(())
 }
