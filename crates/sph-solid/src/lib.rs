@@ -13,7 +13,7 @@ mod waves;
 pub use error::Error;
 pub use laws::*;
 pub use moduli::IsotropicModuli;
-pub use patch::{FindNeighbors, MechanicalLedger, SolidPatch, SolidStart, UpdatedPatch};
+pub use patch::{FindNeighbors, MechanicalLedger, START_TEMPERATURE, SolidPatch, SolidStart, UpdatedPatch};
 pub use tensor::SymmetricTensor;
 pub use total::*;
 pub use updated::*;

@@ -24,6 +24,12 @@ pub struct SolidScene {
     /// Acceleration of gravity in m/s2. Default: none.
     #[serde(default)]
     pub gravity_m_s2: Option<Axes>,
+    /// Temperatures that the bodies are given. Default: they stay as they are.
+    #[serde(default)]
+    pub heating: Option<Heating>,
+    /// Rate in 1/s at which velocities fade, for bodies that shall come to rest. Default: 0.
+    #[serde(default)]
+    pub damping_1_s: f64,
     /// Distance of neighbouring particles in metres.
     pub spacing_m: f64,
     /// How the bodies are computed.
@@ -39,7 +45,7 @@ pub struct SolidScene {
     pub budget: Budget,
 }
 
-/// An elastic material.
+/// An elastic material, or one that yields without hardening.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Elastic {
@@ -49,6 +55,59 @@ pub struct Elastic {
     pub young_pa: f64,
     /// Poisson's ratio.
     pub poisson: f64,
+    /// Linear expansion in 1/K. Default: 0.
+    #[serde(default)]
+    pub expansion_1_k: f64,
+    /// Von Mises stress in Pa at which it yields. Default: never.
+    #[serde(default)]
+    pub yield_pa: Option<f64>,
+}
+
+/// Temperatures over time, above that of the start. They belong to the material and move with it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Heating {
+    /// Rises at times, those of a spot at its centre: straight lines from zero at the start to the first node and from node to
+    /// node, constant after the last.
+    pub nodes: Vec<HeatingNode>,
+    /// Where it is hot. Default: everywhere alike.
+    #[serde(default)]
+    pub spot: Option<HotSpot>,
+}
+
+/// A node of the rise of temperature over time.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HeatingNode {
+    /// Time in seconds.
+    pub time_s: f64,
+    /// Temperature above that of the start in kelvin; below zero it cools.
+    pub rise_k: f64,
+}
+
+/// A rise that falls with the distance r from a centre as exp(-r^2/radius_m^2).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HotSpot {
+    /// Its centre in metres.
+    pub centre_m: Axes,
+    /// The distance in metres at which 1/e of the rise is left.
+    pub radius_m: f64,
+}
+
+impl Heating {
+    /// Rise of temperature in kelvin at a time in seconds.
+    pub fn rise_k(&self, time_s: f64) -> f64 {
+        let mut before = HeatingNode { time_s: 0.0, rise_k: 0.0 };
+        for node in &self.nodes {
+            if time_s < node.time_s {
+                let share = (time_s - before.time_s) / (node.time_s - before.time_s);
+                return before.rise_k + share * (node.rise_k - before.rise_k);
+            }
+            before = *node;
+        }
+        before.rise_k
+    }
 }
 
 /// A body at the start, all of it moving alike.
@@ -99,37 +158,42 @@ pub struct Hold {
     pub high_m: Axes,
 }
 
-/// How bodies are computed: in the updated-Lagrangian form, in which bodies can meet.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// How bodies are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct SolidScheme {
-    /// How gradients and forces are formed. Default: Corrected.
+    /// How gradients and forces are formed. Default: Total.
     pub form: Form,
-    /// Smoothing length over spacing. Default: 1.2.
-    pub smoothing_ratio: f64,
-    /// Artificial stress epsilon, which keeps stretched bodies whole. Default: 0.3 in the paper's form, 0 in the corrected one.
+    /// Smoothing length over spacing. Default: 0.8 in the total-Lagrangian form, else 1.2.
+    pub smoothing_ratio: Option<f64>,
+    /// Artificial stress epsilon, which keeps stretched bodies whole in the updated-Lagrangian forms. Default: 0.3 in the
+    /// paper's form, 0 in the corrected one.
     pub artificial_stress: Option<f64>,
-}
-
-impl Default for SolidScheme {
-    fn default() -> Self {
-        SolidScheme { form: Form::Corrected, smoothing_ratio: 1.2, artificial_stress: None }
-    }
 }
 
 /// How gradients and forces are formed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Form {
-    /// As in Hu and Eberhard (2015), with artificial stress and viscosity: holds bodies that meet at high speed.
-    Paper,
-    /// Corrected gradients, a force that keeps energy, and viscosity on zero-energy modes: accurate for bodies that bend.
+    /// Total Lagrangian: pairs and gradients of the start, and contact where bodies meet. They never break.
     #[default]
+    Total,
+    /// Updated Lagrangian as in Hu and Eberhard (2015), with artificial stress and viscosity.
+    Paper,
+    /// Updated Lagrangian with corrected gradients, a force that keeps energy, and viscosity on zero-energy modes.
     Corrected,
 }
 
 /// The columns that a frame of a solid can hold.
-pub const SOLID_FIELDS: &[&str] =
-    &["velocity_m_s", "displacement_m", "von_mises_pa", "density_kg_m3", "body"];
+pub const SOLID_FIELDS: &[&str] = &[
+    "velocity_m_s",
+    "displacement_m",
+    "von_mises_pa",
+    "pressure_pa",
+    "plastic_strain",
+    "temperature_rise_k",
+    "density_kg_m3",
+    "body",
+];
 
 impl SolidScene {
     /// Number of dimensions, 2 or 3: that of the first body.
@@ -141,9 +205,27 @@ impl SolidScene {
         }
     }
 
-    /// What the run writes, the defaults filled in.
+    /// What the run writes, the defaults filled in: all columns that change.
     pub fn output(&self) -> ResolvedOutput {
-        let fields = || SOLID_FIELDS.iter().copied().map(String::from).collect();
+        let changes = |field: &&str| match *field {
+            "plastic_strain" => self.material.yield_pa.is_some(),
+            "temperature_rise_k" => self.heating.is_some(),
+            _ => true,
+        };
+        let fields = || SOLID_FIELDS.iter().copied().filter(changes).map(String::from).collect();
         self.output.resolved(self.time.end_s, fields)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn temperatures_go_in_straight_lines() {
+        let node = |time_s, rise_k| HeatingNode { time_s, rise_k };
+        let heating = Heating { nodes: vec![node(2.0, 100.0), node(3.0, -20.0)], spot: None };
+        let rises = [0.0, 1.0, 2.0, 2.5, 3.0, 9.0].map(|time| heating.rise_k(time));
+        assert_eq!(rises, [0.0, 50.0, 100.0, 40.0, -20.0, -20.0]);
     }
 }

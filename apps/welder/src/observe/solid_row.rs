@@ -20,6 +20,8 @@ pub struct SolidRow {
     pub max_speed_m_s: f64,
     /// Largest von Mises stress.
     pub max_von_mises_pa: f64,
+    /// Largest accumulated equivalent plastic strain.
+    pub max_plastic_strain: f64,
     /// Number of pieces that hang together.
     pub pieces: usize,
     /// Lowest x that the bodies reach, half a spacing beyond the last particle; so the others.
@@ -36,10 +38,16 @@ pub struct SolidRow {
     pub z_max_m: Option<f64>,
     /// Energy of motion.
     pub kinetic_j: f64,
-    /// Energy of elastic strain, taken as small.
+    /// Energy of elastic strain.
     pub elastic_j: f64,
     /// Energy of height over the start.
     pub potential_j: f64,
+    /// Energy brought since the start by prescribed temperatures.
+    pub heated_j: f64,
+    /// Work of yield since the start, plastic strain taken as small.
+    pub plastic_j: f64,
+    /// Energy taken since the start by damping.
+    pub damped_j: f64,
     /// Energy taken since the start by artificial viscosity and the scheme itself.
     pub lost_j: f64,
     /// The same, relative to the largest of the energies.

@@ -127,6 +127,8 @@ pub struct SolidOutcome {
     pub max_speed_m_s: f64,
     /// Largest von Mises stress at any time.
     pub max_von_mises_pa: f64,
+    /// Largest accumulated equivalent plastic strain.
+    pub max_plastic_strain: f64,
     /// Number of pieces that hang together at the end.
     pub pieces: usize,
     /// Momentum at the end.
@@ -144,10 +146,16 @@ pub struct SolidOutcome {
 pub struct SolidEnergy {
     /// Stored as motion.
     pub kinetic_j: f64,
-    /// Stored as elastic strain, taken as small.
+    /// Stored as elastic strain.
     pub elastic_j: f64,
     /// Stored as height over the start.
     pub potential_j: f64,
+    /// Brought since the start by prescribed temperatures.
+    pub heated_j: f64,
+    /// Work of yield since the start, plastic strain taken as small.
+    pub plastic_j: f64,
+    /// Taken since the start by damping.
+    pub damped_j: f64,
     /// Taken since the start by artificial viscosity and the scheme itself.
     pub lost_j: f64,
     /// The same over the largest of the energies, that of the start included.

@@ -96,6 +96,7 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
             dt_limit: last.limit.to_string(),
             max_speed_m_s: self.largest_speed(),
             max_von_mises_pa: self.largest_von_mises(),
+            max_plastic_strain: self.records().plastic,
             pieces: self.pieces(),
             x_min_m: low[0],
             x_max_m: high[0],
@@ -106,6 +107,9 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
             kinetic_j: ledger.kinetic,
             elastic_j: ledger.elastic,
             potential_j: ledger.potential,
+            heated_j: ledger.heated,
+            plastic_j: ledger.plastic,
+            damped_j: ledger.damped,
             lost_j: ledger.lost,
             energy_residual_rel: ledger.residual,
         })
@@ -121,6 +125,7 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
             mass_kg: self.mass(),
             max_speed_m_s: records.speed,
             max_von_mises_pa: records.von_mises,
+            max_plastic_strain: records.plastic,
             pieces: self.pieces(),
             momentum_kg_m_s: self.momentum().iter().copied().collect(),
             low_m: low.iter().copied().collect(),
@@ -129,6 +134,9 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
                 kinetic_j: ledger.kinetic,
                 elastic_j: ledger.elastic,
                 potential_j: ledger.potential,
+                heated_j: ledger.heated,
+                plastic_j: ledger.plastic,
+                damped_j: ledger.damped,
                 lost_j: ledger.lost,
                 residual_rel: ledger.residual,
             },
@@ -150,8 +158,17 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
                 records.von_mises
             ),
             format!(
-                "  energy, {unit}: motion {:.4e}, elastic {:.4e}, height {:.4e}; viscosity and scheme took {:.4e} ({:.1e} of the largest)",
-                ledger.kinetic, ledger.elastic, ledger.potential, ledger.lost, ledger.residual
+                "  energy, {unit}: motion {:.4e}, elastic {:.4e}, height {:.4e}; heating brought {:.4e}, yield took {:.4e}, damping {:.4e}",
+                ledger.kinetic,
+                ledger.elastic,
+                ledger.potential,
+                ledger.heated,
+                ledger.plastic,
+                ledger.damped
+            ),
+            format!(
+                "  viscosity and scheme took {:.4e} {unit} ({:.1e} of the largest)",
+                ledger.lost, ledger.residual
             ),
         ]
     }

@@ -1,9 +1,11 @@
-//! Scenes of elastic bodies, in the plane and in space, in the updated-Lagrangian form, in which they can meet.
+//! Scenes of elastic and yielding bodies that can meet, in the plane and in space.
 
 mod body;
 mod model;
+mod patch;
+mod saved;
 mod section;
 
 pub use body::{SolidBody, SolidLedger, SolidRecords};
-pub use model::SolidModel;
+pub use model::{Numerics, SolidModel};
 pub use section::stress_section;

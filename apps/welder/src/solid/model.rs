@@ -3,11 +3,26 @@
 use crate::build::{centre_of, sites};
 use crate::case::SolidCase;
 use crate::case::axes::Axes;
-use crate::case::solid::{Form, Solid};
+use crate::case::solid::{Elastic, Form, Solid};
 use crate::model::ModelError;
 use nalgebra::SVector;
-use sph_kernel::KernelKind;
-use sph_solid::{IsotropicModuli, Material, UpdatedControls, pressure_wave_speed};
+use sph_kernel::{KernelKind, ScaledKernel};
+use sph_solid::{
+    IsotropicModuli, Material, START_TEMPERATURE, ThermalExpansion, UpdatedControls, YieldStress,
+    pressure_wave_speed,
+};
+
+/// Smoothing length over spacing of the total-Lagrangian and of the updated-Lagrangian form, where the case names none.
+const SMOOTHING_RATIOS: [f64; 2] = [0.8, 1.2];
+
+/// How the bodies are computed.
+#[derive(Debug, Clone, Copy)]
+pub enum Numerics<const D: usize> {
+    /// In the total-Lagrangian form with its default controls.
+    Total,
+    /// In the updated-Lagrangian form.
+    Updated(UpdatedControls<D>),
+}
 
 /// Everything that the engine needs to know of a scene of elastic bodies.
 #[derive(Debug, Clone)]
@@ -17,7 +32,9 @@ pub struct SolidModel<const D: usize> {
     /// What the bodies are made of.
     pub material: Material,
     /// How they are computed.
-    pub controls: UpdatedControls<D>,
+    pub numerics: Numerics<D>,
+    /// The kernel of all particles.
+    pub kernel: ScaledKernel<D>,
     /// Acceleration of gravity \[m/s²\].
     pub gravity: SVector<f64, D>,
     /// Speed of waves of pressure \[m/s\].
@@ -39,20 +56,27 @@ impl<const D: usize> SolidModel<D> {
     /// [`ModelError`] when the solid crate refuses a constant.
     pub fn from_case(case: &SolidCase) -> Result<Self, ModelError> {
         let scene = &case.scene;
-        let moduli =
-            IsotropicModuli::from_young_and_poisson(scene.material.young_pa, scene.material.poisson)?;
-        let kernel =
-            KernelKind::Gaussian.with_smoothing_length(scene.scheme.smoothing_ratio * scene.spacing_m);
-        let chosen = match scene.scheme.form {
-            Form::Paper => UpdatedControls::paper(kernel, scene.spacing_m),
-            Form::Corrected => UpdatedControls::corrected(kernel, scene.spacing_m),
+        let (material, scheme) = (material(&scene.material)?, &scene.scheme);
+        let [total, updated] = SMOOTHING_RATIOS;
+        let usual = if scheme.form == Form::Total { total } else { updated };
+        let ratio = scheme.smoothing_ratio.unwrap_or(usual);
+        let kernel = KernelKind::Gaussian.with_smoothing_length(ratio * scene.spacing_m);
+        let with_stress = |chosen: UpdatedControls<D>| {
+            let artificial_stress = scheme.artificial_stress.unwrap_or(chosen.artificial_stress);
+            Numerics::Updated(UpdatedControls { artificial_stress, ..chosen })
         };
-        let artificial_stress = scene.scheme.artificial_stress.unwrap_or(chosen.artificial_stress);
+        let numerics = match scheme.form {
+            Form::Total => Numerics::Total,
+            Form::Paper => with_stress(UpdatedControls::paper(kernel, scene.spacing_m)),
+            Form::Corrected => with_stress(UpdatedControls::corrected(kernel, scene.spacing_m)),
+        };
+        let wave_speed = pressure_wave_speed(material.solver_moduli(), scene.material.density_kg_m3);
         let mut model = Self {
-            material: Material::elastic(moduli, scene.material.density_kg_m3)?,
-            controls: UpdatedControls { artificial_stress, ..chosen },
+            material,
+            numerics,
+            kernel,
+            wave_speed,
             gravity: scene.gravity_m_s2.as_ref().map_or_else(SVector::zeros, Axes::vector),
-            wave_speed: pressure_wave_speed(&moduli, scene.material.density_kg_m3),
             positions: Vec::new(),
             velocities: Vec::new(),
             bodies: Vec::new(),
@@ -73,6 +97,34 @@ impl<const D: usize> SolidModel<D> {
         model.held = model.positions.iter().map(inside).collect();
         Ok(model)
     }
+
+    /// Temperature \[K\] that the case prescribes at a time \[s\] where the material was at `start` \[m\].
+    pub fn temperature(&self, start: &SVector<f64, D>, time: f64) -> f64 {
+        let heating = self.case.scene.heating.as_ref();
+        heating.map_or(START_TEMPERATURE, |heating| {
+            let share = heating.spot.as_ref().map_or(1.0, |spot| {
+                let from = start - spot.centre_m.vector::<D>();
+                (-from.norm_squared() / spot.radius_m.powi(2)).exp()
+            });
+            START_TEMPERATURE + share * heating.rise_k(time)
+        })
+    }
+
+    /// Whether temperatures change between two times \[s\].
+    pub fn warms(&self, from: f64, to: f64) -> bool {
+        let heating = self.case.scene.heating.as_ref();
+        heating.is_some_and(|heating| heating.rise_k(from) != heating.rise_k(to))
+    }
+}
+
+fn material(elastic: &Elastic) -> Result<Material, sph_solid::Error> {
+    let moduli = IsotropicModuli::from_young_and_poisson(elastic.young_pa, elastic.poisson)?;
+    let mut material = Material::elastic(moduli, elastic.density_kg_m3)?;
+    material.expansion =
+        ThermalExpansion::constant(elastic.density_kg_m3, START_TEMPERATURE, elastic.expansion_1_k)?;
+    let law = elastic.yield_pa.map(|yield_pa| YieldStress::new(&[(START_TEMPERATURE, yield_pa)]));
+    material.yield_stress = law.transpose()?;
+    Ok(material)
 }
 
 /// Particles of a body: centres of the cells of a block, or those of a lattice about the centre that lie between the radii.

@@ -19,7 +19,7 @@ pub fn stress_section<const D: usize>(body: &SolidBody<D>) -> Pictures {
     });
     let cloud = Cloud {
         positions: body.positions(),
-        kernel: &body.model().controls.kernel,
+        kernel: &body.model().kernel,
         spacing,
         low: low - margin,
         size: high - low + margin * 2.0,

@@ -63,6 +63,7 @@ static BENCHMARKS: &[Benchmark] = &[
     round::SPHERE,
     clamped_plate::BENCHMARK,
     rings::RINGS,
+    rings::PAPER_RINGS,
     weld::LATTICE,
     weld::DISORDERED,
     nist_tracks::BENCHMARK,

@@ -2,6 +2,7 @@
 
 mod artificial_stress;
 mod artificial_viscosity;
+mod contact;
 mod equation_of_state;
 mod finite_strain;
 mod gough_joule;
@@ -19,6 +20,7 @@ pub use artificial_stress::{
     ARTIFICIAL_STRESS_EXPONENT, ARTIFICIAL_STRESS_FACTOR, artificial_stress, artificial_stress_weight,
 };
 pub use artificial_viscosity::ArtificialViscosity;
+pub use contact::Contact;
 pub use equation_of_state::{paper_pressure, pressure};
 pub use finite_strain::{
     cauchy_stress, elastic_energy, elastic_strain, first_stress, second_stress, second_stress_of_cauchy,

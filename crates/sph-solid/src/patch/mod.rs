@@ -1,5 +1,6 @@
 //! Bodies that are stepped by themselves: all columns of one body with the sweep that drives it.
 
+mod meeting;
 mod total;
 mod updated;
 
@@ -13,7 +14,7 @@ use nalgebra::SVector;
 pub type FindNeighbors<const D: usize> = fn(&[SVector<f64, D>], f64) -> (Vec<usize>, Vec<u32>);
 
 /// Temperature at which patches start \[K\].
-const START_TEMPERATURE: f64 = 293.0;
+pub const START_TEMPERATURE: f64 = 293.0;
 
 /// Adds what accelerations give in `dt` \[s\] to the velocities, where components are free.
 fn kick<const D: usize>(
@@ -30,4 +31,21 @@ fn kick<const D: usize>(
 /// Kinetic energy \[J; J/m in plane strain\].
 fn kinetic_energy<const D: usize>(masses: &[f64], velocities: &[SVector<f64, D>]) -> f64 {
     masses.iter().zip(velocities).map(|(mass, velocity)| 0.5 * mass * velocity.norm_squared()).sum()
+}
+
+/// Number of pieces: positions nearer than `link` \[m\] hang together.
+fn pieces<const D: usize>(positions: &[SVector<f64, D>], link: f64, find: FindNeighbors<D>) -> usize {
+    let (starts, neighbors) = find(positions, link);
+    let mut seen = vec![false; positions.len()];
+    let mut pieces = 0;
+    for start in 0..seen.len() {
+        let mut open = if seen[start] { vec![] } else { vec![start] };
+        pieces += usize::from(!seen[start]);
+        while let Some(i) = open.pop() {
+            if !std::mem::replace(&mut seen[i], true) {
+                open.extend(neighbors[starts[i]..starts[i + 1]].iter().map(|&j| j as usize));
+            }
+        }
+    }
+    pieces
 }

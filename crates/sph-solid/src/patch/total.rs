@@ -1,9 +1,10 @@
 //! A patch in the total-Lagrangian form.
 
-use super::{FindNeighbors, START_TEMPERATURE, kick, kinetic_energy};
+use super::meeting::Meeting;
+use super::{FindNeighbors, START_TEMPERATURE, kick, kinetic_energy, pieces};
 use crate::error::{Error, require};
 use crate::{
-    Controls, Inelastic, Material, Motion, ReferenceColumns, SymmetricTensor, TotalLagrangian,
+    Contact, Controls, Inelastic, Material, Motion, ReferenceColumns, SymmetricTensor, TotalLagrangian,
     pressure_wave_speed,
 };
 use nalgebra::{SMatrix, SVector};
@@ -57,6 +58,10 @@ pub struct SolidPatch<const D: usize> {
     positions: Vec<SVector<f64, D>>,
     body: TotalLagrangian<D>,
     wave_speed: f64,
+    contact: Contact,
+    meeting: Option<Meeting<D>>,
+    /// Where particles are in the last evaluation.
+    places: Vec<SVector<f64, D>>,
     accelerations: Vec<SVector<f64, D>>,
     /// Directed pairs that the two passes of one evaluation visit.
     visits: u64,
@@ -73,6 +78,8 @@ pub struct MechanicalLedger {
     pub elastic: f64,
     /// Energy of the hourglass control.
     pub hourglass: f64,
+    /// Energy of contact.
+    pub contact: f64,
     /// Work of plastic strain since the start.
     pub plastic: f64,
     /// What the artificial viscosity took.
@@ -89,7 +96,7 @@ impl MechanicalLedger {
     /// Stored and taken energy less what was brought: stays, to the order of the step, while a body is stepped.
     #[must_use]
     pub fn balance(&self) -> f64 {
-        let stored = self.kinetic + self.elastic + self.hourglass;
+        let stored = self.kinetic + self.elastic + self.hourglass + self.contact;
         stored + self.plastic + self.viscous + self.damped - self.weight - self.warmed
     }
 }
@@ -124,7 +131,9 @@ impl<const D: usize> SolidPatch<D> {
             list_starts: &list_starts,
             list_neighbors: &list_neighbors,
         };
-        let wave_speed = pressure_wave_speed(material.solver_moduli(), density);
+        let moduli = material.solver_moduli();
+        let wave_speed = pressure_wave_speed(moduli, density);
+        let contact = Contact { modulus_pa: moduli.bulk_pa() + 4.0 / 3.0 * moduli.shear_pa(), spacing };
         Ok(Self {
             body: TotalLagrangian::new(&columns, kernel, material, controls)?,
             displacements: vec![SVector::zeros(); particles],
@@ -137,8 +146,11 @@ impl<const D: usize> SolidPatch<D> {
             visits: 2 * list_neighbors.len() as u64,
             pair_visits: 0,
             ledger: MechanicalLedger::default(),
+            meeting: None,
+            places: positions.clone(),
             temperatures,
             wave_speed,
+            contact,
             positions,
         })
     }
@@ -147,6 +159,12 @@ impl<const D: usize> SolidPatch<D> {
     #[must_use]
     pub fn positions(&self) -> &[SVector<f64, D>] {
         &self.positions
+    }
+
+    /// Positions x = X + u of the last evaluation \[m\].
+    #[must_use]
+    pub fn places(&self) -> &[SVector<f64, D>] {
+        &self.places
     }
 
     /// The sweep, with masses and the deformation gradients of the last evaluation.
@@ -175,12 +193,15 @@ impl<const D: usize> SolidPatch<D> {
         self.velocities.extend(self.positions.iter().map(velocity));
     }
 
-    /// Sets temperatures \[K\].
-    pub fn set_temperatures(&mut self, temperature: impl Fn(&SVector<f64, D>) -> f64) {
+    /// Sets temperatures \[K\] by reference position, and returns the energy that they bring \[J; J/m in plane strain\]:
+    /// elastic energy of the same shape at another temperature.
+    pub fn set_temperatures(&mut self, temperature: impl Fn(&SVector<f64, D>) -> f64) -> f64 {
         let before = self.elastic_energy();
         self.temperatures.clear();
         self.temperatures.extend(self.positions.iter().map(temperature));
-        self.ledger.warmed += self.elastic_energy() - before;
+        let brought = self.elastic_energy() - before;
+        self.ledger.warmed += brought;
+        brought
     }
 
     fn elastic_energy(&self) -> f64 {
@@ -196,6 +217,12 @@ impl<const D: usize> SolidPatch<D> {
         }
     }
 
+    /// From now on faces that meet push each other apart ([`Contact`]): those of separate bodies, and those of one body that
+    /// are more than four spacings from each other in the reference.
+    pub fn let_meet(&mut self, find: FindNeighbors<D>) {
+        self.meeting = Some(Meeting::new(self.contact, find));
+    }
+
     /// Accelerations of the present columns; needed after they were set, before [`SolidPatch::step`] or
     /// [`SolidPatch::stresses`].
     pub fn evaluate(&mut self) {
@@ -207,6 +234,11 @@ impl<const D: usize> SolidPatch<D> {
         let mut inelastic = Inelastic { strains: &mut self.strains, equivalents: &mut self.equivalents };
         self.body.accelerations(&motion, &mut inelastic, &mut self.accelerations);
         self.accelerations.iter_mut().for_each(|acceleration| *acceleration += self.body_acceleration);
+        self.places.clear();
+        self.places.extend(self.positions.iter().zip(&self.displacements).map(|(x, u)| x + u));
+        if let Some(meeting) = &mut self.meeting {
+            meeting.accelerate(&self.places, &self.positions, self.body.masses(), &mut self.accelerations);
+        }
         self.ledger.plastic += self.body.plastic_works().iter().sum::<f64>();
         self.pair_visits += self.visits;
     }
@@ -274,13 +306,21 @@ impl<const D: usize> SolidPatch<D> {
     #[must_use]
     pub fn ledger(&self) -> MechanicalLedger {
         let [kinetic, elastic, hourglass] = self.energies();
-        MechanicalLedger { kinetic, elastic, hourglass, ..self.ledger }
+        let contact = self.meeting.as_ref().map_or(0.0, |meeting| meeting.energy(&self.places));
+        MechanicalLedger { kinetic, elastic, hourglass, contact, ..self.ledger }
     }
 
     /// Heat \[W; W/m in plane strain\] of the present velocities by the Gough-Joule effect, one entry per particle
     /// ([`TotalLagrangian::gough_joule_heats`]).
     pub fn gough_joule_heats(&mut self, heats: &mut [f64]) {
         self.body.gough_joule_heats(&self.velocities, &self.temperatures, heats);
+    }
+
+    /// Number of pieces: particles nearer than `link` \[m\] hang together. Bodies of this form never break; what is more is
+    /// stretched beyond the link, what is less touches.
+    #[must_use]
+    pub fn pieces(&self, link: f64, find: FindNeighbors<D>) -> usize {
+        pieces(&self.places, link, find)
     }
 
     /// Mean of a value over the particles whose reference positions satisfy `inside`.

@@ -1,6 +1,6 @@
 //! A patch in the updated-Lagrangian form, its list made anew as it moves.
 
-use super::{FindNeighbors, START_TEMPERATURE, kick, kinetic_energy};
+use super::{FindNeighbors, START_TEMPERATURE, kick, kinetic_energy, pieces};
 use crate::{
     Error, Material, SymmetricTensor, UpdatedControls, UpdatedFields, UpdatedLagrangian, UpdatedState,
     pressure_wave_speed, stable_step,
@@ -163,7 +163,7 @@ impl<const D: usize> UpdatedPatch<D> {
     pub fn elastic_energy(&self) -> f64 {
         let moduli = self.material.solver_moduli();
         let energy = |i: usize| {
-            let stress = self.body.stress(self.densities[i], self.temperatures[i], &self.deviators[i]);
+            let stress = self.stress(i);
             let mean = stress.trace() / 3.0;
             let volume = self.masses[i] / self.densities[i];
             volume
@@ -173,21 +173,19 @@ impl<const D: usize> UpdatedPatch<D> {
         (0..self.masses.len()).map(energy).sum()
     }
 
+    fn stress(&self, i: usize) -> SymmetricTensor<D> {
+        self.body.stress(self.densities[i], self.temperatures[i], &self.deviators[i])
+    }
+
+    /// Stress of the solver \[Pa\].
+    #[must_use]
+    pub fn stresses(&self) -> Vec<SymmetricTensor<D>> {
+        (0..self.masses.len()).map(|i| self.stress(i)).collect()
+    }
+
     /// Number of pieces: particles nearer than `link` \[m\] hang together.
     #[must_use]
     pub fn pieces(&self, link: f64) -> usize {
-        let (starts, neighbors) = (self.find)(&self.positions, link);
-        let mut seen = vec![false; self.positions.len()];
-        let mut pieces = 0;
-        for start in 0..seen.len() {
-            let mut open = if seen[start] { vec![] } else { vec![start] };
-            pieces += usize::from(!seen[start]);
-            while let Some(i) = open.pop() {
-                if !std::mem::replace(&mut seen[i], true) {
-                    open.extend(neighbors[starts[i]..starts[i + 1]].iter().map(|&j| j as usize));
-                }
-            }
-        }
-        pieces
+        pieces(&self.positions, link, self.find)
     }
 }

@@ -111,6 +111,13 @@ impl<const D: usize> TotalLagrangian<D> {
         &self.deformations
     }
 
+    /// Present density of a particle \[kg/m^3\]: m/(V_0 det F), F of the last call of [`TotalLagrangian::accelerations`].
+    #[must_use]
+    pub fn density(&self, particle: usize) -> f64 {
+        let start = self.masses[particle] * self.reference.inverse_volumes[particle];
+        start / determinant(&self.deformations[particle])
+    }
+
     /// Number of stored pairs: each is visited twice a step.
     #[must_use]
     pub fn stored_pairs(&self) -> usize {

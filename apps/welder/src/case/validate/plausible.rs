@@ -125,6 +125,15 @@ pub const SOLID_YOUNG: Range = range("Pa", 1.0, 1e13, &[("GPa", 1e9, 0.0), ("MPa
 pub const RADIUS: Range = Range { or_zero: true, ..range("m", 1e-6, 1e3, LENGTHS) };
 /// Artificial stress of an elastic body.
 pub const ARTIFICIAL_STRESS: Range = Range { or_zero: true, ..range("", 1e-3, 1.0, &[]) };
+/// Linear expansion of a body of a scene of solids, rubber included.
+pub const BODY_EXPANSION: Range =
+    Range { or_zero: true, ..range("1/K", 1e-8, 1e-2, &[("1e-6/K", 1e-6, 0.0)]) };
+/// Yield stress of such a body.
+pub const BODY_YIELD: Range = range("Pa", 1.0, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
+/// Rate at which its velocities fade.
+pub const DAMPING: Range = Range { or_zero: true, ..range("1/s", 1e-6, 1e12, &[]) };
+/// Temperature above that of the start.
+pub const RISE: Range = range("K", -1e4, 1e4, &[]);
 /// Young's modulus of a metal.
 pub const YOUNG: Range = range("Pa", 1e8, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
 /// Poisson's ratio of a metal.

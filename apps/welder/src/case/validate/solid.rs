@@ -3,13 +3,14 @@
 use super::super::axes::Axes;
 use super::super::fluid::Body;
 use super::super::problem::Problem;
-use super::super::solid::{SOLID_FIELDS, Solid, SolidScene};
+use super::super::solid::{Form, SOLID_FIELDS, Solid, SolidScene};
 use super::super::source::Source;
 use super::findings::Findings;
 use super::fluid::{check_tuples, check_whole, overlap};
 use super::plausible::{
-    ARTIFICIAL_STRESS, DURATION, FLUID_LENGTH, FLUID_PLACE, FLUID_SMOOTHING, FLUID_SPACING, GRAVITY,
-    LIQUID_DENSITY, POISSON, RADIUS, Range, SOLID_YOUNG, VELOCITY, number,
+    ARTIFICIAL_STRESS, BODY_EXPANSION, BODY_YIELD, DAMPING, DURATION, FLUID_LENGTH, FLUID_PLACE,
+    FLUID_SPACING, GRAVITY, LIQUID_DENSITY, POISSON, RADIUS, RISE, Range, SMOOTHING_RATIO, SOLID_YOUNG,
+    VELOCITY, number,
 };
 use super::{run, size};
 
@@ -69,6 +70,8 @@ fn tuples(scene: &SolidScene) -> Vec<(String, &Axes, Range)> {
         all.push((format!("held.{index}.low_m"), &hold.low_m, FLUID_PLACE));
         all.push((format!("held.{index}.high_m"), &hold.high_m, FLUID_PLACE));
     }
+    let spot = scene.heating.as_ref().and_then(|heating| heating.spot.as_ref());
+    all.extend(spot.map(|spot| ("heating.spot.centre_m".to_string(), &spot.centre_m, FLUID_PLACE)));
     all
 }
 
@@ -78,9 +81,42 @@ fn check_values(findings: &mut Findings, scene: &SolidScene) {
     findings.within("material.density_kg_m3", material.density_kg_m3, &LIQUID_DENSITY);
     findings.within("material.young_pa", material.young_pa, &SOLID_YOUNG);
     findings.within("material.poisson", material.poisson, &POISSON);
-    findings.within("scheme.smoothing_ratio", scheme.smoothing_ratio, &FLUID_SMOOTHING);
+    findings.within("material.expansion_1_k", material.expansion_1_k, &BODY_EXPANSION);
+    if let Some(yield_pa) = material.yield_pa {
+        findings.within("material.yield_pa", yield_pa, &BODY_YIELD);
+    }
+    findings.within("damping_1_s", scene.damping_1_s, &DAMPING);
+    if let Some(ratio) = scheme.smoothing_ratio {
+        findings.within("scheme.smoothing_ratio", ratio, &SMOOTHING_RATIO);
+    }
     if let Some(stress) = scheme.artificial_stress {
         findings.within("scheme.artificial_stress", stress, &ARTIFICIAL_STRESS);
+        let reason = "the total-Lagrangian form needs none";
+        let remedy = "leave it out, or accepted with scheme.form: Paper, Corrected";
+        findings.require(scheme.form != Form::Total, "scheme.artificial_stress", reason, remedy);
+    }
+    check_heating(findings, scene);
+}
+
+fn check_heating(findings: &mut Findings, scene: &SolidScene) {
+    let Some(heating) = &scene.heating else { return };
+    let reason = "a material that does not expand, so that it does nothing";
+    let remedy = "give material.expansion_1_k, or leave heating out";
+    findings.require(scene.material.expansion_1_k > 0.0, "heating", reason, remedy);
+    findings.require(!heating.nodes.is_empty(), "heating.nodes", "no nodes", "accepted: at least one");
+    let mut before_s = 0.0;
+    for (index, node) in heating.nodes.iter().enumerate() {
+        let field = |name: &str| format!("heating.nodes.{index}.{name}");
+        findings.within(&field("rise_k"), node.rise_k, &RISE);
+        if findings.within(&field("time_s"), node.time_s, &DURATION) {
+            let reason = format!("{} s, which is not after {} s", number(node.time_s), number(before_s));
+            let remedy = "accepted: times that rise, the first above zero";
+            findings.require(node.time_s > before_s, &field("time_s"), &reason, remedy);
+        }
+        before_s = node.time_s;
+    }
+    if let Some(spot) = &heating.spot {
+        findings.within("heating.spot.radius_m", spot.radius_m, &FLUID_LENGTH);
     }
 }
 
