@@ -21,6 +21,10 @@ pub use powers::Powers;
 /// Share of the acoustic step at rest below which a fluid is wild.
 const WILD: f64 = 1e-3;
 
+/// Share of the speed of tearing that shifting goes by: the kernel sees less than all of the shortest wave, and more than this
+/// shifts a Stokes flow under its own noise of pressure.
+const TEARING_SHARE: f64 = 0.5;
+
 /// Constants of the fluid and of the scheme.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FluidControls<const D: usize> {
@@ -525,7 +529,7 @@ impl<const D: usize> FluidSweep<D> {
             let (normal, depth) = &surface.planes()[i];
             let flat =
                 if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
-            let tearing = tearing_speed(pressures[i], reference_density, viscosity, length);
+            let tearing = TEARING_SHARE * tearing_speed(pressures[i], reference_density, viscosity, length);
             *shift = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
         });
     }
