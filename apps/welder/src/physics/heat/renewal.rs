@@ -202,6 +202,9 @@ mod tests {
                 *position += 0.9 * spacing * Vector3::new(at.sin(), (2.0 * at).sin(), (3.0 * at).sin());
             }
         }
+        // A drop beyond the reach of all others, and of its own image.
+        let drop = workpiece.particles.len() / 2;
+        workpiece.particles.position[drop].z = 5.0 * spacing;
     }
 
     #[test]
