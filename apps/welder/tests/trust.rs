@@ -95,7 +95,8 @@ fn the_advice_is_proven_by_runs_with_and_without() {
         "part.faces.top=Losses(convection_w_m2_k: 2000.0, emissivity: 1.0)",
     ]);
     assert!(
-        text.contains("without: top Adiabatic") && text.contains("not run: the case does not list Flow()"),
+        text.contains("without: top convection_w_m2_k 0, emissivity 0")
+            && text.contains("not run: the case does not list Flow()"),
         "{text}"
     );
     let report: serde_json::Value = serde_json::from_slice(&std::fs::read(json).unwrap()).unwrap();
