@@ -264,7 +264,11 @@ fn print_row(setting: &Setting) {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let axis = std::env::args().nth(1).unwrap_or_default();
+    let axes = "kernel, smoothing, diffusion, renewal, surface, sound or resolution";
+    let Some(axis) = std::env::args().nth(1) else {
+        println!("give one of {axes}: each takes minutes");
+        return Ok(());
+    };
     let settings = match axis.as_str() {
         "kernel" => quick(kernels()),
         "smoothing" => quick(smoothing()),
@@ -273,7 +277,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "surface" => surface(),
         "sound" => sound(),
         "resolution" => quick(resolution()),
-        _ => return Err("kernel, smoothing, diffusion, renewal, surface, sound or resolution?".into()),
+        other => return Err(format!("found `{other}`; accepted: {axes}").into()),
     };
     std::panic::set_hook(Box::new(|_| ()));
     let columns: Vec<&str> = FLOWS.iter().flat_map(|flow| flow.columns).copied().collect();
