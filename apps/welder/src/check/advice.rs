@@ -291,9 +291,8 @@ fn movement(scales: &Scales) -> Option<Advice> {
 
 /// Heat that Marangoni flow carries over heat that is conducted, v w/a, by [`marangoni_speed`].
 fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Scales) -> Advice {
-    let settings = case.scene.flow().copied().unwrap_or_default();
-    let as_it_is = Flow { viscosity_factor: 1.0, ..settings };
-    let Ok(flow) = FlowModel::of_card(&as_it_is, card) else {
+    // The melt as it is, whatever the scene makes of its viscosity.
+    let Ok(flow) = FlowModel::of_card(&Flow::default(), card) else {
         let text = "not judged: the card lacks viscosity_pa_s or a surface tension over temperature";
         return Advice::new(Effect::Flow, None, text.into());
     };

@@ -17,5 +17,5 @@ pub use curvature::{curvature, smoothed_curvature};
 pub use force::{marangoni_force, tension_force};
 pub use normal::{is_surface, may_be_surface, plane_of_surface, smoothed_normal, unit_or_zero};
 pub use plane::PlaneProfile;
-pub use stress::{PLAIN_SHARE, SurfaceModel, surface_stress, surface_stress_acceleration};
+pub use stress::{PLAIN_SHARE, SurfaceModel, surface_stress, surface_stress_force};
 pub use tension::SurfaceTension;

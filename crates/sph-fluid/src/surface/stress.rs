@@ -31,17 +31,16 @@ pub fn surface_stress<const D: usize>(
     (SMatrix::identity() - normal * normal.transpose()) * (2.0 * tension * plane_weight)
 }
 
-/// (1/rho_a) sum_b V_b (S_a + S_b) grad_a W \[m/s^2\], equal and opposite in every pair.
+/// sum_b V_b (S_a + S_b) grad_a W \[N/m^3; N/m^2 in 2-D\]: times V_a equal and opposite in every pair.
 ///
 /// S is the stress times [`PLAIN_SHARE`], or times the inverse moment B of its particle, with which the whole of it pulls across a
 /// cut (as in [`conjugate_pressure_acceleration`](crate::conjugate_pressure_acceleration)). `fluid_row` holds fluid only: the surface ends
 /// at a wall.
 #[inline]
 #[must_use]
-pub fn surface_stress_acceleration<const D: usize>(
+pub fn surface_stress_force<const D: usize>(
     fluid_row: &Row<'_, D>,
     volumes: &[f64],
-    density: f64,
     stresses: &[SMatrix<f64, D, D>],
 ) -> SVector<f64, D> {
     let own = &stresses[fluid_row.index];
@@ -51,7 +50,7 @@ pub fn surface_stress_acceleration<const D: usize>(
         let shared = own + stresses[b];
         sum += shared * (fluid_row.separations[k] * (volumes[b] * fluid_row.gradient_factors[k]));
     }
-    sum / density
+    sum
 }
 
 #[cfg(test)]
@@ -77,7 +76,7 @@ mod tests {
         let stresses: Vec<_> =
             block.velocities.iter().map(|v| surface_stress(1.0, 2.0, &unit_or_zero(v))).collect();
         let accelerations = block.map_rows(|row| {
-            surface_stress_acceleration(row, &block.volumes, block.densities[row.index], &stresses)
+            surface_stress_force(row, &block.volumes, &stresses) / block.densities[row.index]
         });
         assert!(block.relative_momentum(&accelerations) < 1e-14);
     }
@@ -98,10 +97,8 @@ mod tests {
         let across_the_cut: f64 = (0..13)
             .flat_map(|row| (0..6).map(move |column| 13 * row + column))
             .map(|left| {
-                let force = block.with_row(left, |row| {
-                    surface_stress_acceleration(row, &block.volumes, block.densities[left], &stresses)
-                });
-                block.masses[left] * force.x
+                let force = block.with_row(left, |row| surface_stress_force(row, &block.volumes, &stresses));
+                block.volumes[left] * force.x
             })
             .sum();
         assert!((across_the_cut / 0.7 - 1.0).abs() < 0.06, "{across_the_cut}");

@@ -3,7 +3,7 @@
 use super::{FluidFields, FluidSweep};
 use crate::{
     PLAIN_SHARE, SurfaceModel, conjugate_colour_gradient, leading_part, marangoni_force, surface_stress,
-    surface_stress_acceleration, tension_force,
+    surface_stress_force, tension_force,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
@@ -34,7 +34,7 @@ impl<const D: usize> FluidSweep<D> {
                 return;
             }
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            let [pull, driving] = this.surface_forces(&row, densities);
+            let [pull, driving] = this.surface_forces(&row);
             (*tension, *marangoni) = (pull / densities[i], driving);
             *sum += *tension + driving / densities[i];
         });
@@ -85,16 +85,13 @@ impl<const D: usize> FluidSweep<D> {
 
     /// Forces on a particle by tension and by its change with temperature \[N/m^3; N/m^2 in 2-D\]; a stress does both at once, as the
     /// first.
-    fn surface_forces(&self, row: &Row<'_, D>, densities: &[f64]) -> [SVector<f64, D>; 2] {
+    fn surface_forces(&self, row: &Row<'_, D>) -> [SVector<f64, D>; 2] {
         match self.controls.surface_model {
             SurfaceModel::Force => self.forces_of_curvature(row),
             SurfaceModel::Stress if self.surface_stresses.is_empty() => [SVector::zeros(); 2],
             SurfaceModel::Stress => {
                 let fluid_row = leading_part(row, self.surface_stresses.len());
-                let density = densities[row.index];
-                let stresses = &self.surface_stresses;
-                let acceleration = surface_stress_acceleration(&fluid_row, &self.volumes, density, stresses);
-                [acceleration * density, SVector::zeros()]
+                [surface_stress_force(&fluid_row, &self.volumes, &self.surface_stresses), SVector::zeros()]
             }
         }
     }

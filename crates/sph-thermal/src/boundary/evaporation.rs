@@ -108,6 +108,7 @@ mod tests {
         // 0.82 p sqrt(M/(2 pi R T)): 35.74 kg/(m2 s), and 390 MW/m2.
         assert!((law.mass_flux(2790.0) - 35.743).abs() < 0.02, "{}", law.mass_flux(2790.0));
         assert!((law.flux(2790.0) / 3.896e8 - 1.0).abs() < 1e-3);
+        assert!((law.flux(2000.0) / 3.08e6 - 1.0).abs() < 1e-3);
         assert!((law.recoil_pressure(2790.0) - 0.54 * 101_325.0).abs() < 1e-9);
         // Tables of vapour pressure: 100 Pa at 1817 K, 10 kPa at 2364 K.
         assert!((law.saturation_pressure(1817.0) / 100.0 - 1.0).abs() < 0.2);

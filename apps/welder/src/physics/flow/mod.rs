@@ -227,8 +227,10 @@ impl Physics<3> for Flow {
     }
 
     fn mechanics(&self) -> Option<Mechanics> {
-        let squares = self.state.velocities.iter().map(Vector3::norm_squared);
-        let compressions = self.state.densities.iter().map(|&density| self.melt.compression(density));
+        // Solid is at rest and without pressure.
+        let melt = || (0..self.state.molten.len()).filter(|&i| self.state.molten[i]);
+        let squares = melt().map(|i| self.state.velocities[i].norm_squared());
+        let compressions = melt().map(|i| self.melt.compression(self.state.densities[i]));
         Some(Mechanics {
             kinetic: 0.5 * self.melt.mass() * squares.sum::<f64>(),
             compression: self.melt.mass() * compressions.sum::<f64>(),
@@ -255,6 +257,7 @@ impl Physics<3> for Flow {
 
     fn restore(&mut self, _particles: &Particles<3>, saved: &[u8]) -> Result<(), String> {
         self.state = State::restore(saved, &self.state)?;
-        Ok(())
+        // The densities are those of this sound already.
+        self.melt.set_sound_speed(self.state.sound_speed, &mut []).map_err(|error| format!("flow: {error}"))
     }
 }

@@ -145,13 +145,7 @@ impl Cup {
         load(solid, &loads, *finer_steps, *dt);
         let kept = (-FADING * *dt).exp();
         solid.velocities.iter_mut().for_each(|velocity| *velocity *= kept);
-        melt.step(*dt, |places, velocities| {
-            let now = solid.positions().iter().zip(&solid.displacements).map(|(place, u)| place + u);
-            for ((place, velocity), now) in places.iter_mut().zip(velocities).zip(now) {
-                *velocity = (now - *place) / *dt;
-                *place = now;
-            }
-        });
+        melt.step_around(solid, *dt);
         let fluid = melt.len();
         melt.columns.velocities[..fluid].iter_mut().for_each(|velocity| *velocity *= kept);
     }

@@ -113,6 +113,17 @@ impl<const D: usize> Fluid<D> {
         self.kick(0.5 * dt);
     }
 
+    /// The same around a body, whose particles are the first walls.
+    pub fn step_around(&mut self, body: &SolidPatch<D>, dt: f64) {
+        self.step(dt, |places, velocities| {
+            let now = body.positions().iter().zip(&body.displacements).map(|(place, u)| place + u);
+            for ((place, velocity), now) in places.iter_mut().zip(velocities).zip(now) {
+                *velocity = (now - *place) / dt;
+                *place = now;
+            }
+        });
+    }
+
     /// Forces of the fluid on the first `count` particles of the walls \[N; N/m in 2-D\]: pair by pair the opposite of what
     /// pressure and artificial viscosity do to the fluid. Friction is left out, so that the controls must have none.
     pub fn forces_on_walls(&self, count: usize) -> Vec<SVector<f64, D>> {

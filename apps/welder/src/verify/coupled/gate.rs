@@ -127,13 +127,7 @@ impl Scene {
         let Self { water, gate, finer_steps, .. } = self;
         let loads = water.forces_on_walls(gate.positions().len());
         load(gate, &loads, *finer_steps, dt);
-        water.step(dt, |places, velocities| {
-            let now = gate.positions().iter().zip(&gate.displacements).map(|(place, u)| place + u);
-            for ((place, velocity), now) in places.iter_mut().zip(velocities).zip(now) {
-                *velocity = (now - *place) / dt;
-                *place = now;
-            }
-        });
+        water.step_around(gate, dt);
     }
 
     /// How far the free end of the gate has moved from the water \[m\].
