@@ -10,7 +10,7 @@ use sph_thermal::boundary::{Evaporation, SurfaceLoss};
 use sph_thermal::phase::{EnthalpyCurve, Table, ThermalMaterial};
 use std::sync::Arc;
 
-pub use flow::{FlowModel, TensionLaw, marangoni_speed};
+pub use flow::{FlowModel, GRAVITY, TensionLaw, marangoni_speed};
 
 /// Material (index) and temperature \[K\] at a point \[m\] at the start.
 pub type Start = Arc<dyn Fn([f64; 3]) -> (u8, f64) + Send + Sync>;

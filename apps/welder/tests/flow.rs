@@ -8,6 +8,15 @@ use welder::model::Model;
 use welder::physics::Column;
 use welder::run::Simulation;
 
+/// The card of the model aluminium whose melt expands.
+fn expanding(coefficient_1_k: f64) -> String {
+    let end = ")\n";
+    let card = metal();
+    let expansion =
+        format!("    volume_expansion_liquid_1_k: (value: {coefficient_1_k:e}, source: \"test\"),\n)\n");
+    card.strip_suffix(end).expect("a card ends with its bracket").to_string() + &expansion
+}
+
 /// A spot that melts a pool into a small block, with the given list of physics and change of tension with temperature.
 fn spot(physics: &str, slope: &str) -> Simulation {
     spot_of(physics, slope, "50e-6", "1.2e-3")
@@ -183,11 +192,63 @@ fn tension_and_viscosity_may_be_tables_over_temperature() {
     assert!(thin < 1.05 * rising, "a thinner melt flows faster: {thin} {rising}");
 }
 
+/// Melt that warms grows against the pressure of its hollow surface and of its weight: its heat pays for that, and no
+/// energy is lost.
+#[test]
+fn a_driven_pool_that_expands_closes_both_ledgers() {
+    let run = |metal: &str| {
+        let mut pool = spot_in(metal, FLOW, "50e-6", "0.8e-3");
+        pool.run_quietly().unwrap();
+        pool
+    };
+    let (pool, rigid) = (run(&expanding(1.3e-4)), run(&metal()));
+    let (ledger, work) = (pool.ledger(), pool.mechanics().unwrap().work);
+    assert_eq!(ledger.fault(), None);
+    assert!(ledger.residual.abs() < 1e-12, "{}", ledger.residual);
+    println!(
+        "expanding pool: work {work:?}, missing {:.1e}, without expansion {:.1e}; depth {:.4} of that without",
+        ledger.mechanical_residual,
+        rigid.ledger().mechanical_residual,
+        pool.records().liquidus.depth / rigid.records().liquidus.depth
+    );
+    assert!(work.expansion != 0.0 && rigid.mechanics().unwrap().work.expansion == 0.0);
+    assert!((pool.records().liquidus.depth / rigid.records().liquidus.depth - 1.0).abs() < 0.1);
+}
+
+/// The body and the particles that flow share the heat of deformation: its sum is that of the body, and the ledger of
+/// all forms is as closed as without flow.
+#[test]
+fn a_melt_that_flows_gets_the_heat_of_deformation() {
+    let run = |physics: &str| {
+        let mut simulation = spot_of(physics, "-3.5e-4", "100e-6", "1.6e-3");
+        simulation.run_quietly().unwrap();
+        simulation
+    };
+    let stress = "Stress(crossings: 2.0, heat_of_deformation: true)";
+    let flowing = run(&format!("[Heat(), Flow(viscosity_factor: 20.0), {stress}]"));
+    let resting = run(&format!("[Heat(weights: Normalized, smoothing_ratio: 1.3), {stress}]"));
+    let [with, without] = [&flowing, &resting].map(|run| (run.mechanics().unwrap(), run.ledger()));
+    println!(
+        "heat of deformation: {:.3e} J with flow, {:.3e} J without; ledger {:.1e} and {:.1e}, open by {:.1e} and {:.1e}; largest speed {:.2} m/s",
+        with.0.deformed,
+        without.0.deformed,
+        with.1.residual,
+        without.1.residual,
+        with.1.deformation_residual,
+        without.1.deformation_residual,
+        flowing.records().largest_speed
+    );
+    assert!(flowing.records().largest_speed > 0.05);
+    assert!(with.1.residual.abs() < 1e-12, "{}", with.1.residual);
+    assert!(with.1.deformation_residual.abs() < 3.0 * without.1.deformation_residual.abs());
+    assert!(with.0.deformed != 0.0);
+}
+
 /// A melt of little tension outruns the sound that it begins with; a run that takes up such a state goes on with the same bits.
 #[test]
 fn a_melt_that_has_raised_its_sound_goes_on_from_a_checkpoint_with_the_same_bits() {
-    let slack = metal().replace("(value: 0.9,", "(value: 0.05,");
-    assert_ne!(slack, metal());
+    let slack = expanding(1e-4).replace("(value: 0.9,", "(value: 0.05,");
+    assert_ne!(slack, expanding(1e-4));
     let start = || spot_in(&slack, FLOW, "50e-6", "0.8e-3");
     let (mut whole, mut resumed) = (start(), start());
     let first = whole.mechanics().unwrap().sound_speed;

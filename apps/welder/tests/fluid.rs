@@ -3,6 +3,8 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use welder::case::{Loaded, load_any};
+use welder::fluid::{FluidFlow, FluidModel};
 use welder::observe::{FluidOutcome, FluidRow, Status, Summary, read_history};
 
 fn case(name: &str) -> PathBuf {
@@ -80,6 +82,42 @@ fn a_drop_has_the_pressure_of_its_surface() {
     assert!(capillary < 1e-3, "{capillary}");
     let volume = summary.outcome.mass_kg / 950.0;
     assert!((volume / (std::f64::consts::PI * 25e-6) - 1.0).abs() < 0.011, "{volume}");
+}
+
+/// Birikh's (1966) flow between plates of a slope of temperature along them, u(y) = U (2 y^3 - 3 y^2 + y)/12 with U =
+/// g beta G H^3/nu, in the middle of a closed trough.
+#[test]
+fn a_layer_that_is_warm_at_one_end_flows_as_birikh_says() {
+    let Loaded::Fluid(case) = load_any(&case("warm-layer"), &[]).unwrap() else { panic!("a fluid") };
+    let mut layer = FluidFlow::<2>::new(FluidModel::from_case(&case).unwrap()).unwrap();
+    let (fluid, depth, rows) = (&case.scene.fluid, 10e-3, 8);
+    let unit = 9.81 * fluid.volume_expansion_1_k * 200.0 * depth * depth * depth * fluid.density_kg_m3
+        / fluid.viscosity_pa_s;
+    let exact = |y: f64| unit / 12.0 * (2.0 * y * y * y - 3.0 * y * y + y);
+    let mut sums = vec![[0.0; 3]; rows];
+    while layer.time() < 0.4 {
+        layer.stride(0.4).unwrap();
+        // From 0.12 H^2/nu on the slowest part of the start has fallen below a hundredth.
+        let late = layer.time() > 0.2;
+        for (place, velocity) in layer.positions().iter().zip(layer.velocities()) {
+            let y = place.y / depth;
+            if late && (place.x - 25e-3).abs() < 5e-3 {
+                let row = &mut sums[((y * rows as f64) as usize).min(rows - 1)];
+                *row = [row[0] + 1.0, row[1] + velocity.x, row[2] + exact(y)];
+            }
+        }
+    }
+    let profile: Vec<[f64; 2]> =
+        sums.iter().map(|[count, found, exact]| [found / count, exact / count]).collect();
+    let sum = |of: fn(&[f64; 2]) -> f64| profile.iter().map(of).sum::<f64>();
+    let square = sum(|[_, exact]| exact * exact);
+    let strength = sum(|[found, exact]| found * exact) / square;
+    let shape = (sum(|[found, exact]| (found - exact) * (found - exact)) / square).sqrt();
+    let ledger = layer.ledger();
+    println!("warm layer, 8 rows: {strength:.3} of Birikh's flow, off by {shape:.3} of it; {ledger:?}");
+    assert!((strength - 1.0).abs() < 0.2 && shape < 0.3, "{profile:?}");
+    // Expansion deep down and contraction high up drive the layer: friction has what they gave.
+    assert!(((ledger.friction + ledger.kinetic) / ledger.expansion - 1.0).abs() < 0.1, "{ledger:?}");
 }
 
 /// A ball of R = rho = tau = 1, six spacings to the radius.

@@ -61,6 +61,8 @@ fn a_spot_is_advised() {
         "bottom face: Fourier",
         "losses: Biot",
         "matters        flow: Marangoni flow outwards",
+        "leave out      buoyancy: ",
+        "which a card without volume_expansion_liquid_1_k leaves out",
     ] {
         assert!(text.contains(words), "`{words}` is not in:\n{text}");
     }

@@ -2,6 +2,7 @@
 
 mod powers;
 mod surface;
+mod warmth;
 
 use crate::error::{Error, require};
 use crate::{

@@ -21,7 +21,8 @@ pub struct FluidScene {
     /// Acceleration of gravity in m/s2. Default: none.
     #[serde(default)]
     pub gravity_m_s2: Option<Axes>,
-    /// Temperature of the places that the fluid moves through; needed where tension changes with it. Default: none.
+    /// Temperature of the places that the fluid moves through; needed where tension or density change with it.
+    /// Default: none.
     #[serde(default)]
     pub temperature: Option<Temperature>,
     /// Distance of neighbouring particles in metres.
@@ -102,7 +103,11 @@ pub struct Substance {
     /// Change of surface tension with temperature in N/(m K). Default: 0.
     #[serde(default)]
     pub surface_tension_slope_n_m_k: f64,
-    /// Temperature in kelvin at which the surface tension is that given. Default: 293.
+    /// Coefficient of expansion by volume in 1/K, -1/rho d rho/dT: warm fluid is lighter, and rises under gravity.
+    /// Default: 0.
+    #[serde(default)]
+    pub volume_expansion_1_k: f64,
+    /// Temperature in kelvin at which density and surface tension are those given. Default: 293.
     #[serde(default = "room_temperature_k")]
     pub reference_k: f64,
     /// Artificial speed of sound in m/s, at least five times the speed that the scene lets expect. Default: ten times that.

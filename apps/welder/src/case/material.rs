@@ -36,7 +36,7 @@ pub struct MaterialCard {
     pub conductivity_solid_w_m_k: Property,
     /// Thermal conductivity of the melt in W/(m K).
     pub conductivity_liquid_w_m_k: Property,
-    /// Dynamic viscosity of the melt in Pa s; read by Flow alone, as are the two below.
+    /// Dynamic viscosity of the melt in Pa s; read by Flow, as are the three below.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub viscosity_pa_s: Option<Property>,
     /// Surface tension of the melt in N/m: a value at the liquidus with the slope below, or a table over temperature without.
@@ -45,6 +45,10 @@ pub struct MaterialCard {
     /// Change of the surface tension with temperature in N/(m K), mostly negative; only with a value of the tension.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surface_tension_slope_n_m_k: Option<Quantity>,
+    /// Coefficient of expansion of the melt by volume in 1/K, -1/rho d rho/dT from the liquidus on; read by Flow,
+    /// which makes warm melt lighter with it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume_expansion_liquid_1_k: Option<Quantity>,
     /// Young's modulus of the solid in Pa, constant in the model; read by Stress alone, as are those below.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub young_pa: Option<Quantity>,
@@ -77,6 +81,8 @@ impl MaterialCard {
         all.extend(
             self.surface_tension_slope_n_m_k.as_ref().map(|slope| ("surface_tension_slope_n_m_k", slope)),
         );
+        let expansion = self.volume_expansion_liquid_1_k.as_ref();
+        all.extend(expansion.map(|expansion| ("volume_expansion_liquid_1_k", expansion)));
         all.extend(self.young_pa.as_ref().map(|young| ("young_pa", young)));
         all.extend(self.poisson.as_ref().map(|poisson| ("poisson", poisson)));
         all

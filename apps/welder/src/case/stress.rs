@@ -11,8 +11,8 @@ pub struct Stress {
     pub crossings: f64,
     /// Faces that do not move. Default: none, the part is free.
     pub clamped: Clamped,
-    /// Whether pressing and stretching change temperatures (Gough-Joule), and yield makes heat: below a kelvin in most welds, and not
-    /// together with Flow. Default: false.
+    /// Whether pressing and stretching change temperatures (Gough-Joule), and yield makes heat: below a kelvin in
+    /// most welds. Default: false.
     pub heat_of_deformation: bool,
 }
 

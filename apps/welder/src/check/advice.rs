@@ -3,7 +3,7 @@
 use super::estimates::{Scales, coupling, radiation_coefficient};
 use crate::case::scene::{Face, Flow};
 use crate::case::{Case, MaterialCard};
-use crate::model::{FlowModel, Model, marangoni_speed};
+use crate::model::{FlowModel, GRAVITY, Model, marangoni_speed};
 use crate::run::solid_scales;
 use laser_source::Beam;
 use serde::Serialize;
@@ -11,6 +11,9 @@ use sph_thermal::phase::EnthalpyCurve;
 
 /// An effect below this share of the rise under the beam can be left out.
 pub(super) const NEGLIGIBLE: f64 = 0.01;
+
+/// Expansion of a molten metal by volume where the card tells none \[1/K\].
+const COMMON_EXPANSION: f64 = 1.2e-4;
 
 /// Temperature of the surroundings where no face names one \[K\].
 pub(super) const ROOM_K: f64 = 293.0;
@@ -37,6 +40,7 @@ pub(super) enum Effect {
     Movement,
     Stress,
     Flow,
+    Buoyancy,
 }
 
 impl Effect {
@@ -49,6 +53,7 @@ impl Effect {
             Effect::Movement => "movement",
             Effect::Stress => "stress",
             Effect::Flow => "flow",
+            Effect::Buoyancy => "buoyancy",
         }
     }
 }
@@ -110,7 +115,9 @@ pub(super) fn advice(case: &Case, model: &Model) -> Vec<Advice> {
     all.push(bottom(&hot, &scales));
     all.push(losses(model.faces.top, card, &hot, &scales));
     all.push(stress(case, model, card, peak));
-    all.push(flow(case, model, card, peak, &scales));
+    let melt = Melt::of(model, card, peak);
+    all.push(flow(case, melt.as_ref(), &scales));
+    all.extend(melt.and_then(|melt| buoyancy(case, card, &melt, &scales)));
     all
 }
 
@@ -289,23 +296,49 @@ fn movement(scales: &Scales) -> Option<Advice> {
     })
 }
 
+/// The melt as it is, whatever the scene makes of its viscosity.
+struct Melt {
+    flow: FlowModel,
+    density: f64,
+    diffusivity: f64,
+    /// Temperature of its hottest point, at most that of boiling, and how far above the liquidus that is \[K\].
+    hottest: f64,
+    excess: f64,
+}
+
+impl Melt {
+    /// `None` where the card does not tell how it flows.
+    fn of(model: &Model, card: &MaterialCard, peak: f64) -> Option<Self> {
+        let flow = FlowModel::of_card(&Flow::default(), card).ok()?;
+        let material = &model.materials[0];
+        let hottest = card.boiling_k.as_ref().map_or(peak, |boiling| peak.min(boiling.value));
+        let heat = material.density * material.heat_capacity_liquid.at(material.liquidus);
+        Some(Self {
+            flow,
+            density: material.density,
+            diffusivity: material.conductivity(material.liquidus) / heat,
+            hottest,
+            excess: hottest - material.liquidus,
+        })
+    }
+
+    fn viscosity(&self) -> f64 {
+        self.flow.viscosity_at_liquidus()
+    }
+}
+
 /// Heat that Marangoni flow carries over heat that is conducted, v w/a, by [`marangoni_speed`].
-fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Scales) -> Advice {
-    // The melt as it is, whatever the scene makes of its viscosity.
-    let Ok(flow) = FlowModel::of_card(&Flow::default(), card) else {
+fn flow(case: &Case, melt: Option<&Melt>, scales: &Scales) -> Advice {
+    let Some(melt) = melt else {
         let text = "not judged: the card lacks viscosity_pa_s or a surface tension over temperature";
         return Advice::new(Effect::Flow, None, text.into());
     };
-    let material = &model.materials[0];
-    let hottest = card.boiling_k.as_ref().map_or(peak, |boiling| peak.min(boiling.value));
-    let excess = hottest - material.liquidus;
-    if excess <= 0.0 {
+    if melt.excess <= 0.0 {
         return Advice::new(Effect::Flow, Some(false), "nothing melts".into());
     }
-    let density = material.density;
-    let speed = marangoni_speed(flow.pull(excess), density, flow.viscosity_at_liquidus(), scales.radius);
-    let liquid = material.heat_capacity_liquid.at(material.liquidus);
-    let peclet = speed * scales.radius * density * liquid / material.conductivity(material.liquidus);
+    let pull = melt.flow.pull(melt.excess);
+    let speed = marangoni_speed(pull, melt.density, melt.viscosity(), scales.radius);
+    let peclet = speed * scales.radius / melt.diffusivity;
     let listed = case.scene.flow().is_some();
     let cost = match (peclet > 1.0, listed) {
         (true, false) => {
@@ -313,13 +346,44 @@ fn flow(case: &Case, model: &Model, card: &MaterialCard, peak: f64, scales: &Sca
         }
         _ => "",
     };
-    let outwards = flow.tension.at(hottest) < flow.tension_at_liquidus();
+    let outwards = melt.flow.tension.at(melt.hottest) < melt.flow.tension_at_liquidus();
     let way = if outwards { "outwards" } else { "inwards" };
     Advice::new(
         Effect::Flow,
         Some(peclet > 1.0),
         format!("Marangoni flow {way} at about {speed:.2} m/s, Peclet {peclet:.1}{cost} (Ostrach 1982)"),
     )
+}
+
+/// What buoyancy drives beside tension, rho g beta dT R^2 over |d tau| (the dynamic Bond number, Grashof's number
+/// over the Reynolds number of the Marangoni flow), and the heat that it carries by itself: at most sqrt(g beta dT
+/// R), and the surface of Birikh's (1966) layer of depth R over R, g beta dT R^2/(48 nu), where friction rules.
+fn buoyancy(case: &Case, card: &MaterialCard, melt: &Melt, scales: &Scales) -> Option<Advice> {
+    if melt.excess <= 0.0 {
+        return None;
+    }
+    let given = card.volume_expansion_liquid_1_k.as_ref().map(|expansion| expansion.value);
+    let lift = GRAVITY * given.unwrap_or(COMMON_EXPANSION) * melt.excess;
+    let (radius, viscosity) = (scales.radius, melt.viscosity() / melt.density);
+    let grashof = lift * radius.powi(3) / viscosity.powi(2);
+    let reynolds = melt.flow.pull(melt.excess) * radius / (melt.density * viscosity.powi(2));
+    let speed = (lift * radius).sqrt().min(lift * radius.powi(2) / (48.0 * viscosity));
+    let (bond, peclet) = (grashof / reynolds, speed * radius / melt.diffusivity);
+    let whose = match (given, case.scene.flow()) {
+        (Some(_), Some(_)) => "which the case computes".to_string(),
+        (Some(_), None) => "which a case without Flow() leaves out".to_string(),
+        (None, _) => format!(
+            "which a card without volume_expansion_liquid_1_k leaves out (here {COMMON_EXPANSION:.1e} 1/K, common for metals)"
+        ),
+    };
+    Some(Advice::new(
+        Effect::Buoyancy,
+        Some(bond > NEGLIGIBLE && peclet > 1.0),
+        format!(
+            "{bond:.1e} of what tension drives (Grashof {grashof:.1e} over Reynolds {reynolds:.1e} of Marangoni flow), alone about {speed:.1e} m/s, \
+             Peclet {peclet:.1e}; {whose} (Birikh 1966)"
+        ),
+    ))
 }
 
 /// E alpha dT / sigma_y: stress of a fully held body over its yield stress at the start (Boley and Weiner 1960). By default

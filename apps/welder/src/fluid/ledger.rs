@@ -19,10 +19,12 @@ pub struct Work {
     pub tension: f64,
     /// Of the change of tension with temperature.
     pub marangoni: f64,
+    /// Of warmth: what expansion did against pressure.
+    pub expansion: f64,
 }
 
 impl Work {
-    /// Adds the work over `duration` \[s\] between two powers, by the trapezoidal rule.
+    /// Adds the work of forces over `duration` \[s\] between two powers, by the trapezoidal rule.
     pub fn add(&mut self, before: &Powers, after: &Powers, duration: f64) {
         self.friction += 0.5 * duration * (before.friction + after.friction);
         self.tension += 0.5 * duration * (before.tension + after.tension);
@@ -49,6 +51,8 @@ pub struct FluidLedger {
     pub friction: f64,
     /// Given by the change of tension with temperature since the start.
     pub driven: f64,
+    /// Given by expansion since the start: places that warm and cool the fluid pay for it.
+    pub expansion: f64,
     /// Taken by the scheme itself since the start; negative where it has given.
     pub numerics: f64,
     /// `numerics` over the largest of the other energies, that of the start included.
@@ -61,9 +65,11 @@ impl FluidLedger {
         let [kinetic, potential, compression] = flow.energies();
         let (surface, friction) = (-work.tension, -work.friction);
         let held = kinetic + potential + compression;
-        let numerics = start + work.marangoni - held - surface - friction;
-        let scale = [start, kinetic, potential, compression, surface, friction, work.marangoni]
+        let numerics = start + work.marangoni + work.expansion - held - surface - friction;
+        let given = [work.marangoni, work.expansion];
+        let scale = [start, kinetic, potential, compression, surface, friction]
             .into_iter()
+            .chain(given)
             .fold(0.0, |largest: f64, energy| largest.max(energy.abs()));
         let residual = if scale > 0.0 { numerics / scale } else { numerics };
         Self {
@@ -73,6 +79,7 @@ impl FluidLedger {
             surface,
             friction,
             driven: work.marangoni,
+            expansion: work.expansion,
             numerics,
             residual,
         }
@@ -121,6 +128,6 @@ mod tests {
         let mut work = Work::default();
         work.add(&power(1.0), &power(3.0), 2.0);
         work.add(&power(3.0), &power(4.0), 1.0);
-        assert_eq!(work, Work { friction: -7.5, tension: 15.0, marangoni: 3.75 });
+        assert_eq!(work, Work { friction: -7.5, tension: 15.0, marangoni: 3.75, expansion: 0.0 });
     }
 }

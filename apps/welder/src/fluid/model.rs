@@ -6,7 +6,9 @@ use crate::case::axes::Axes;
 use crate::case::fluid::{Friction as FrictionChoice, Scheme, Side, Temperature};
 use crate::model::ModelError;
 use nalgebra::SVector;
-use sph_fluid::{FluidControls, Friction, Renewal, SOUND_SPEED_RATIO, SurfaceTension, Tait};
+use sph_fluid::{
+    FluidControls, Friction, Renewal, SOUND_SPEED_RATIO, SurfaceTension, Tait, ThermalExpansion,
+};
 use sph_kernel::KernelKind;
 
 /// Exponent of Tait's equation.
@@ -98,6 +100,11 @@ impl<const D: usize> FluidModel<D> {
         self.temperature.map(|(origin, slope)| origin + slope.dot(place))
     }
 
+    /// rho_0 over the density without pressure at a place \[-\].
+    pub fn stretch_at(&self, place: &SVector<f64, D>) -> f64 {
+        self.temperature_at(place).map_or(1.0, |temperature| self.controls.stretch(temperature))
+    }
+
     /// Period along an axis \[m\], where the scene repeats.
     pub fn period(&self, axis: usize) -> Option<f64> {
         (self.edges[axis][0] == Edge::Periodic).then(|| self.size[axis])
@@ -129,6 +136,10 @@ fn controls<const D: usize>(case: &FluidCase, expected: &Expected) -> Result<Flu
         (0.0, 0.0) => None,
         _ => Some(SurfaceTension::new(tension, slope, fluid.reference_k)?),
     };
+    let thermal_expansion = match fluid.volume_expansion_1_k {
+        0.0 => None,
+        coefficient => Some(ThermalExpansion::new(coefficient, fluid.reference_k)?),
+    };
     Ok(FluidControls {
         dynamic_viscosity: fluid.viscosity_pa_s,
         friction: match scheme.friction {
@@ -139,6 +150,7 @@ fn controls<const D: usize>(case: &FluidCase, expected: &Expected) -> Result<Flu
         density_diffusion: scheme.density_diffusion,
         body_acceleration: vector_or_zero(scene.gravity_m_s2.as_ref()),
         surface_tension,
+        thermal_expansion,
         renewal: renewal(scheme, tension > 0.0),
         corrected_gradients: scheme.corrected_gradients.unwrap_or(tension > 0.0),
         ..FluidControls::new(kernel, Tait::new(fluid.density_kg_m3, sound_speed, TAIT_EXPONENT)?)

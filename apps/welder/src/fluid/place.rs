@@ -92,7 +92,7 @@ impl<const D: usize> Placed<D> {
     }
 
     fn push(&mut self, model: &FluidModel<D>, position: SVector<f64, D>, volume: f64, pressure: f64) {
-        let density = model.controls.state.density(pressure);
+        let density = model.controls.state.density(pressure) / model.stretch_at(&position);
         self.positions.push(position);
         self.densities.push(density);
         self.masses.push(density * volume);

@@ -55,6 +55,23 @@ impl Sampler {
             }
         }
     }
+
+    /// Gives particles what stands at the nodes, by the weights that [`read`](Self::read) has: the sum of `nodes` is
+    /// kept.
+    pub fn spread(&self, nodes: &[f64], mut give: impl FnMut(usize, f64)) {
+        match self {
+            Self::Lattice(particles) => {
+                nodes.iter().zip(particles).for_each(|(&value, &particle)| give(particle as usize, value));
+            }
+            Self::Scattered { starts, entries } => {
+                for (value, range) in nodes.iter().zip(starts.windows(2)) {
+                    entries[range[0]..range[1]]
+                        .iter()
+                        .for_each(|&(i, weight)| give(i as usize, weight * value));
+                }
+            }
+        }
+    }
 }
 
 fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {

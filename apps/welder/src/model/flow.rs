@@ -3,11 +3,14 @@
 use super::{Model, ModelError};
 use crate::case::MaterialCard;
 use crate::case::scene::Flow;
-use sph_fluid::{SurfaceTension, artificial_sound_speed};
+use sph_fluid::{SurfaceTension, ThermalExpansion, artificial_sound_speed};
 use sph_thermal::phase::Table;
 
 /// How much hotter than its rim a pool is taken to be before the run \[K\].
 const EXPECTED_EXCESS: f64 = 500.0;
+
+/// Gravity on the melt of a weld, downwards \[m/s²\].
+pub const GRAVITY: f64 = 9.81;
 
 /// Flow of the part's own material.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +21,8 @@ pub struct FlowModel {
     pub viscosity: Table,
     /// Surface tension over temperature \[N/m\].
     pub tension: TensionLaw,
+    /// How warmth expands the melt beyond the liquidus, where the card tells.
+    pub expansion: Option<ThermalExpansion>,
     /// Temperature that the numbers of a flow are taken at \[K\].
     pub liquidus: f64,
 }
@@ -94,7 +99,9 @@ impl FlowModel {
         let liquidus = card.liquidus_k.value;
         let thickened = viscosity.points().into_iter().map(|(t, eta)| (t, settings.viscosity_factor * eta));
         let viscosity = Table::new(thickened.collect())?;
-        Ok(Self { settings: *settings, viscosity, tension, liquidus })
+        let expansion = card.volume_expansion_liquid_1_k.as_ref().filter(|given| given.value != 0.0);
+        let expansion = expansion.map(|given| ThermalExpansion::new(given.value, liquidus)).transpose()?;
+        Ok(Self { settings: *settings, viscosity, tension, expansion, liquidus })
     }
 
     /// Viscosity at the liquidus \[Pa s\].
@@ -112,13 +119,14 @@ impl FlowModel {
         self.tension.steepest_slope(self.liquidus, self.liquidus + excess).abs() * excess
     }
 
-    /// Artificial speed of sound \[m/s\] to begin with: the scene's, or ten times the speed of capillary waves on the beam's
-    /// radius. Where the melt turns out faster than a tenth of it, the run raises it.
+    /// Artificial speed of sound \[m/s\] to begin with: the scene's, or ten times the speed of capillary waves on the
+    /// beam's radius or, in pools so large that weight rules, of a fall from it. Where the melt turns out faster than
+    /// a tenth of it, the run raises it.
     pub fn first_sound_speed(&self, model: &Model) -> f64 {
         let density = model.materials[0].density;
-        let capillary =
-            artificial_sound_speed(0.0, density, self.tension_at_liquidus(), model.heated_radius(), 0.0);
-        self.settings.sound_speed_m_s.unwrap_or(capillary)
+        let (tension, radius) = (self.tension_at_liquidus(), model.heated_radius());
+        let needed = artificial_sound_speed(0.0, density, tension, radius, density * GRAVITY * radius);
+        self.settings.sound_speed_m_s.unwrap_or(needed)
     }
 
     /// Speed \[m/s\] that the scene lets expect of its Marangoni flow.

@@ -46,6 +46,8 @@ pub struct FluidRow {
     pub friction_j: f64,
     /// Energy given by the change of tension with temperature since the start.
     pub driven_j: f64,
+    /// Energy given by expansion since the start.
+    pub expansion_j: f64,
     /// What the ledger cannot account for, relative to the largest of the other energies.
     pub energy_residual_rel: f64,
 }

@@ -112,6 +112,8 @@ pub struct FluidEnergy {
     pub friction_j: f64,
     /// Given by the change of tension with temperature since the start.
     pub driven_j: f64,
+    /// Given by expansion against pressure since the start.
+    pub expansion_j: f64,
     /// Taken by the scheme itself since the start: what does not close.
     pub numerics_j: f64,
     /// The same over the largest of the other energies, that of the start included.
@@ -235,6 +237,8 @@ pub struct Energy {
     pub surface_work_j: f64,
     /// Work of gravity on the melt since the start.
     pub gravity_work_j: f64,
+    /// Work of the melt's expansion against pressure since the start, taken from its heat.
+    pub expansion_work_j: f64,
     /// Heat that friction in the melt has made since the start, and the motion of what froze; part of what is stored.
     pub dissipated_j: f64,
     /// Stored as strain.

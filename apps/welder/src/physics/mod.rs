@@ -151,6 +151,8 @@ pub struct Work {
     pub marangoni: f64,
     /// Work of gravity.
     pub gravity: f64,
+    /// Work of expansion against pressure: heat that warm melt gives to motion and compression.
+    pub expansion: f64,
     /// Heat made by friction, artificial viscosity included.
     pub dissipated: f64,
     /// Motion and compression that melt gave up when it froze; heat from then on.
@@ -165,6 +167,7 @@ impl Work {
             tension: self.tension + other.tension,
             marangoni: self.marangoni + other.marangoni,
             gravity: self.gravity + other.gravity,
+            expansion: self.expansion + other.expansion,
             dissipated: self.dissipated + other.dissipated,
             frozen: self.frozen + other.frozen,
         }
@@ -172,7 +175,12 @@ impl Work {
 
     /// What the melt holds by now, in motion and compression, if its scheme loses nothing.
     pub fn kept(&self) -> f64 {
-        self.tension + self.marangoni + self.gravity - self.dissipated - self.frozen
+        self.tension + self.marangoni + self.gravity - self.heat()
+    }
+
+    /// Heat that the melt's motion and compression have turned into, less what they were given by heat.
+    pub fn heat(&self) -> f64 {
+        self.dissipated + self.frozen - self.expansion
     }
 }
 

@@ -114,6 +114,7 @@ impl<const D: usize> Scenario<D> for FluidFlow<D> {
             surface_j: ledger.surface,
             friction_j: ledger.friction,
             driven_j: ledger.driven,
+            expansion_j: ledger.expansion,
             energy_residual_rel: ledger.residual,
         })
     }
@@ -138,6 +139,7 @@ impl<const D: usize> Scenario<D> for FluidFlow<D> {
                 surface_j: ledger.surface,
                 friction_j: ledger.friction,
                 driven_j: ledger.driven,
+                expansion_j: ledger.expansion,
                 numerics_j: ledger.numerics,
                 residual_rel: ledger.residual,
             },
@@ -164,22 +166,25 @@ impl<const D: usize> Scenario<D> for FluidFlow<D> {
                 ledger.kinetic, ledger.potential, ledger.compression, ledger.surface
             ),
             format!(
-                "    friction took {:.4e}, tension's change gave {:.4e}, the scheme took {:.4e} ({:.1e} of the largest)",
-                ledger.friction, ledger.driven, ledger.numerics, ledger.residual
+                "    friction took {:.4e}, tension's change gave {:.4e}, expansion {:.4e}, the scheme took {:.4e} ({:.1e} of the largest)",
+                ledger.friction, ledger.driven, ledger.expansion, ledger.numerics, ledger.residual
             ),
         ]
     }
 }
 
-/// Dimensionless numbers at a largest speed v \[m/s\], with the smallest thickness or radius L of the bodies: reynolds rho v L/eta,
-/// cell_reynolds rho v dx/eta, mach v/c of the artificial sound, weber rho v^2 L/tau, froude v/sqrt(g L), and friction_by_numerics,
-/// what artificial viscosity adds to eta, over eta.
+/// Dimensionless numbers at a largest speed v \[m/s\], with the smallest thickness or radius L of the bodies:
+/// reynolds rho v L/eta, cell_reynolds rho v dx/eta, mach v/c of the artificial sound, weber rho v^2 L/tau, froude
+/// v/sqrt(g L), and friction_by_numerics, what artificial viscosity adds to eta, over eta, and, where warmth expands
+/// the fluid, grashof g beta G L^4/nu^2 of the slope G of temperature.
 pub(crate) fn fluid_numbers<const D: usize>(model: &FluidModel<D>, speed: f64) -> BTreeMap<String, f64> {
     let (controls, length) = (&model.controls, model.expected.length);
     let (density, viscosity) = (model.density(), controls.dynamic_viscosity);
     let (gravity, smoothing) = (controls.body_acceleration.norm(), controls.kernel.smoothing_length());
     let tension = controls.surface_tension.map_or(0.0, |tension| tension.reference());
     let added = equivalent_viscosity::<D>(smoothing, model.sound_speed(), controls.artificial_viscosity);
+    let slope = model.temperature.map_or(0.0, |(_, slope)| slope.norm());
+    let lift = gravity * model.case.scene.fluid.volume_expansion_1_k * slope * length.powi(4);
     let numbers = [
         ("reynolds", density * speed * length / viscosity),
         ("cell_reynolds", density * speed * model.spacing() / viscosity),
@@ -187,6 +192,7 @@ pub(crate) fn fluid_numbers<const D: usize>(model: &FluidModel<D>, speed: f64) -
         ("weber", density * speed * speed * length / tension),
         ("froude", speed / (gravity * length).sqrt()),
         ("friction_by_numerics", density * added / viscosity),
+        ("grashof", if lift > 0.0 { lift * (density / viscosity).powi(2) } else { f64::NAN }),
     ];
     // What there is none of makes a number infinite, or none.
     let finite = numbers.into_iter().filter(|(_, value)| value.is_finite());

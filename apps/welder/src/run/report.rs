@@ -49,6 +49,7 @@ pub(super) fn outcome(simulation: &Simulation) -> WeldOutcome {
             compression_j: copies * mechanics.compression,
             surface_work_j: copies * (mechanics.work.tension + mechanics.work.marangoni),
             gravity_work_j: copies * mechanics.work.gravity,
+            expansion_work_j: copies * mechanics.work.expansion,
             dissipated_j: copies * (mechanics.work.dissipated + mechanics.work.frozen),
             deformation_j: copies * mechanics.deformed,
             thermoelastic_j: copies * mechanics.thermoelastic,

@@ -50,7 +50,13 @@ pub fn reference_aluminium() -> ThermalMaterial {
 pub(super) fn reference_flow(slope: f64) -> Result<FlowModel, ModelError> {
     let liquidus = reference_aluminium().liquidus;
     let tension = TensionLaw::Linear(SurfaceTension::new(0.9, -3.5e-4 * slope, liquidus)?);
-    Ok(FlowModel { settings: Flow::default(), viscosity: constant(2.6e-2), tension, liquidus })
+    Ok(FlowModel {
+        settings: Flow::default(),
+        viscosity: constant(2.6e-2),
+        tension,
+        expansion: None,
+        liquidus,
+    })
 }
 
 pub(super) fn constant(value: f64) -> Table {

@@ -71,6 +71,46 @@ pub const FLUIDS: &[Row] = &[
         &["tension changes with temperature, and the scene has none", "add temperature"],
     ),
     (
+        "viscosity_pa_s: 0.1",
+        "viscosity_pa_s: 0.1, volume_expansion_1_k: 7e-4",
+        "7e-4",
+        &[
+            "fluid.volume_expansion_1_k",
+            "density changes with temperature, and the scene has none",
+            "add temperature",
+        ],
+    ),
+    (
+        "viscosity_pa_s: 0.1",
+        "viscosity_pa_s: 0.1, volume_expansion_1_k: 700.0",
+        "700.0",
+        &["fluid.volume_expansion_1_k", "1e-6/K (then write 7e-4)"],
+    ),
+    (
+        "viscosity_pa_s: 0.1",
+        "viscosity_pa_s: 0.1, volume_expansion_1_k: -1e-4",
+        "-1e-4",
+        &["fluid.volume_expansion_1_k", "negative", "0, or 1e-6 to 1 1/K"],
+    ),
+    (
+        "viscosity_pa_s: 0.1",
+        "viscosity_pa_s: 0.1, expansion_1_k: 7e-4",
+        "expansion_1_k",
+        &["fluid.expansion_1_k", "did you mean `volume_expansion_1_k`"],
+    ),
+    (
+        "viscosity_pa_s: 0.1, sound_speed_m_s: 40.0),",
+        "viscosity_pa_s: 0.1, volume_expansion_1_k: 1e-3, sound_speed_m_s: 40.0), temperature: Uniform(temperature_k: 1500.0),",
+        "1e-3",
+        &["fluid.volume_expansion_1_k", "at 1500 K", "reference_k, 293 K", "at most 0.5"],
+    ),
+    (
+        "sides: (x_min: Wall(), x_max: Wall(velocity_m_s: (0.0, 0.5)), y_min: Wall()),\n    ),\n    fluid: (",
+        "sides: (x_min: Periodic, x_max: Periodic, y_min: Wall())),\n    temperature: Linear(origin_k: 293.0, slope_k_m: (9.0, 0.0)),\n    fluid: (volume_expansion_1_k: 1e-3, ",
+        "9.0, 0.0",
+        &["temperature.slope_k_m.0", "would jump", "accepted: 0 along an axis that is Periodic"],
+    ),
+    (
         "spacing_m: 0.02",
         "temperature: Linear(origin_k: 300.0, slope_k_m: (-400.0, 0.0)), spacing_m: 0.02",
         "300.0",

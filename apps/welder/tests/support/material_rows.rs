@@ -31,6 +31,30 @@ pub const MATERIALS: &[Row] = &[
     ),
     (
         "    heat_capacity_solid",
+        "    volume_expansion_liquid_1_k: (value: 131.0, source: \"test\"),\n    heat_capacity_solid",
+        "131.0",
+        &["volume_expansion_liquid_1_k.value", "1e-6/K (then write 1.31e-4)"],
+    ),
+    (
+        "    heat_capacity_solid",
+        "    volume_expansion_liquid_1_k: (value: -1.3e-4, source: \"test\"),\n    heat_capacity_solid",
+        "-1.3e-4",
+        &["volume_expansion_liquid_1_k.value", "negative", "accepted: 0, or 1e-6 to 1e-3 1/K"],
+    ),
+    (
+        "    heat_capacity_solid",
+        "    volume_expansion_1_k: (value: 1.3e-4, source: \"test\"),\n    heat_capacity_solid",
+        "volume_expansion_1_k",
+        &["unknown field `volume_expansion_1_k`", "did you mean `volume_expansion_liquid_1_k`"],
+    ),
+    (
+        "    heat_capacity_solid",
+        "    volume_expansion_liquid_1_k: 1.3e-4,\n    heat_capacity_solid",
+        "1.3e-4",
+        &["volume_expansion_liquid_1_k", "found `1.3e-4`", "round brackets"],
+    ),
+    (
+        "    heat_capacity_solid",
         "    surface_tension_n_m: (value: 0.9, source: \"test\"),\n    heat_capacity_solid",
         "(value: 0.9",
         &["surface_tension_n_m", "add surface_tension_slope_n_m_k", "as a table"],

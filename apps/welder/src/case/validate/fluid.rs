@@ -8,8 +8,9 @@ use super::findings::Findings;
 use super::lattice::is_whole;
 use super::plausible::{
     ARTIFICIAL_VISCOSITY, DENSITY_DIFFUSION, DENSITY_PULL, DURATION, FLUID_LENGTH, FLUID_PLACE,
-    FLUID_SMOOTHING, FLUID_SPACING, FLUID_TEMPERATURE, GRAVITY, LIQUID_DENSITY, LIQUID_SOUND, LIQUID_TENSION,
-    LIQUID_TENSION_SLOPE, LIQUID_VISCOSITY, Range, SHIFTING, TEMPERATURE_SLOPE, VELOCITY, number,
+    FLUID_SMOOTHING, FLUID_SPACING, FLUID_TEMPERATURE, GRAVITY, LIQUID_DENSITY, LIQUID_EXPANSION,
+    LIQUID_SOUND, LIQUID_TENSION, LIQUID_TENSION_SLOPE, LIQUID_VISCOSITY, Range, SHIFTING, TEMPERATURE_SLOPE,
+    VELOCITY, number,
 };
 use super::{run, size};
 use crate::fluid::{expected, least_period, wall_rows};
@@ -19,6 +20,9 @@ const LEAST_ROWS: f64 = 4.0;
 
 /// Sound must be this many times as fast as what it is measured against.
 const LEAST_SOUND: f64 = 5.0;
+
+/// Warmth may change densities by this share at most over a scene.
+const LARGEST_EXPANSION: f64 = 0.5;
 
 /// Most bodies: frames number them in bytes.
 const MOST_BODIES: usize = 256;
@@ -108,6 +112,7 @@ fn check_values(findings: &mut Findings, scene: &FluidScene) {
     findings.within("fluid.surface_tension_n_m", fluid.surface_tension_n_m, &LIQUID_TENSION);
     let slope = fluid.surface_tension_slope_n_m_k;
     findings.within("fluid.surface_tension_slope_n_m_k", slope, &LIQUID_TENSION_SLOPE);
+    findings.within("fluid.volume_expansion_1_k", fluid.volume_expansion_1_k, &LIQUID_EXPANSION);
     findings.within("fluid.reference_k", fluid.reference_k, &FLUID_TEMPERATURE);
     if let Some(sound) = fluid.sound_speed_m_s {
         findings.within("fluid.sound_speed_m_s", sound, &LIQUID_SOUND);
@@ -246,24 +251,64 @@ fn check_rows(findings: &mut Findings, scene: &FluidScene, index: usize, axis: u
 }
 
 fn check_temperature(findings: &mut Findings, scene: &FluidScene) {
-    let needed = scene.fluid.surface_tension_slope_n_m_k != 0.0;
-    let reason = "tension changes with temperature, and the scene has none";
-    let remedy = "add temperature: Uniform(...) or Linear(...), or leave the slope out";
-    let given = scene.temperature.is_some();
-    findings.require(given || !needed, "fluid.surface_tension_slope_n_m_k", reason, remedy);
+    let fluid = &scene.fluid;
+    let needs = [
+        ("surface_tension_slope_n_m_k", fluid.surface_tension_slope_n_m_k != 0.0, "tension changes"),
+        ("volume_expansion_1_k", fluid.volume_expansion_1_k != 0.0, "density changes"),
+    ];
+    for (name, needed, what) in needs {
+        let reason = format!("{what} with temperature, and the scene has none");
+        let remedy = "add temperature: Uniform(...) or Linear(...), or leave this field out";
+        let given = scene.temperature.is_some();
+        findings.require(given || !needed, &format!("fluid.{name}"), &reason, remedy);
+    }
     match &scene.temperature {
         None => {}
         Some(Temperature::Uniform { temperature_k }) => {
             findings.within("temperature.temperature_k", *temperature_k, &FLUID_TEMPERATURE);
+            check_expansion(findings, scene, *temperature_k, *temperature_k);
         }
         Some(Temperature::Linear { origin_k, slope_k_m }) => {
             let [low, high] = domain(scene);
             let ends = |axis: usize| [low[axis], high[axis]].map(|x| slope_k_m.values()[axis] * x);
-            let coldest: f64 =
-                origin_k + (0..low.len()).map(|axis| ends(axis)[0].min(ends(axis)[1])).sum::<f64>();
+            let corner = |of: fn(f64, f64) -> f64| {
+                origin_k + (0..low.len()).map(|axis| of(ends(axis)[0], ends(axis)[1])).sum::<f64>()
+            };
+            let coldest = corner(f64::min);
             let reason = format!("the coldest corner of the domain is at {} K", number(coldest));
             let remedy = "accepted: above 0 K everywhere";
             findings.require(coldest > 0.0, "temperature.origin_k", &reason, remedy);
+            check_expansion(findings, scene, coldest, corner(f64::max));
+            let periodic = |axis: &usize| *scene.domain.sides.named()[*axis][0].1 == Side::Periodic;
+            let sloped = |axis: &usize| slope_k_m.values()[*axis] != 0.0;
+            let jumps = fluid.volume_expansion_1_k != 0.0;
+            for axis in (0..low.len()).filter(periodic).filter(sloped) {
+                let reason =
+                    "fluid that expands would jump from one density to another where the scene repeats";
+                let remedy = "accepted: 0 along an axis that is Periodic, or walls at its ends, or no volume_expansion_1_k";
+                findings.require(!jumps, &format!("temperature.slope_k_m.{axis}"), reason, remedy);
+            }
+        }
+    }
+}
+
+/// A reference far from the temperatures of the scene is a slip, or asks for more than a liquid expands.
+fn check_expansion(findings: &mut Findings, scene: &FluidScene, coldest_k: f64, hottest_k: f64) {
+    let fluid = &scene.fluid;
+    let strain = |k: f64| fluid.volume_expansion_1_k * (k - fluid.reference_k);
+    for temperature_k in [coldest_k, hottest_k] {
+        let reason = format!(
+            "at {} K in the domain it makes the density {} times that at reference_k, {} K",
+            number(temperature_k),
+            number((-strain(temperature_k)).exp()),
+            number(fluid.reference_k)
+        );
+        let remedy = format!(
+            "accepted: expansion times the distance from reference_k at most {LARGEST_EXPANSION}; is reference_k that of the scene?"
+        );
+        let fine = strain(temperature_k).abs() <= LARGEST_EXPANSION;
+        if !findings.require(fine, "fluid.volume_expansion_1_k", &reason, remedy) {
+            return;
         }
     }
 }

@@ -5,8 +5,9 @@ use super::super::material::Property;
 use super::super::problem::Problem;
 use super::findings::Findings;
 use super::plausible::{
-    BOILING, CONDUCTIVITY, DENSITY, EVAPORATION_HEAT, EXPANSION, HEAT_CAPACITY, LATENT_HEAT, MELTING,
-    MOLAR_MASS, POISSON, Range, TABLE_TEMPERATURE, TENSION, TENSION_SLOPE, VISCOSITY, YIELD, YOUNG, number,
+    BOILING, CONDUCTIVITY, DENSITY, EVAPORATION_HEAT, EXPANSION, HEAT_CAPACITY, LATENT_HEAT, MELT_EXPANSION,
+    MELTING, MOLAR_MASS, POISSON, Range, TABLE_TEMPERATURE, TENSION, TENSION_SLOPE, VISCOSITY, YIELD, YOUNG,
+    number,
 };
 
 /// Least distance of solidus and liquidus in kelvin; below it the slope of the enthalpy curve has no use.
@@ -63,6 +64,7 @@ fn quantity_range(name: &str) -> &'static Range {
         "heat_of_evaporation_j_kg" => &EVAPORATION_HEAT,
         "molar_mass_kg_mol" => &MOLAR_MASS,
         "surface_tension_slope_n_m_k" => &TENSION_SLOPE,
+        "volume_expansion_liquid_1_k" => &MELT_EXPANSION,
         "young_pa" => &YOUNG,
         "poisson" => &POISSON,
         _ => &MELTING,

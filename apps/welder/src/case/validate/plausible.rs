@@ -101,6 +101,9 @@ pub const LIQUID_VISCOSITY: Range = Range { or_zero: true, ..range("Pa s", 1e-6,
 pub const LIQUID_TENSION: Range = Range { or_zero: true, ..range("N/m", 1e-6, 10.0, &[("mN/m", 1e-3, 0.0)]) };
 /// Change of surface tension of any liquid with temperature.
 pub const LIQUID_TENSION_SLOPE: Range = range("N/(m K)", -1.0, 1.0, &[]);
+/// Expansion of any liquid by volume, and of model liquids.
+pub const LIQUID_EXPANSION: Range =
+    Range { or_zero: true, ..range("1/K", 1e-6, 1.0, &[("1e-6/K", 1e-6, 0.0)]) };
 /// A component of a velocity.
 pub const VELOCITY: Range = range("m/s", -1e4, 1e4, &[]);
 /// A component of the acceleration of gravity.
@@ -140,6 +143,9 @@ pub const YOUNG: Range = range("Pa", 1e8, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6
 pub const POISSON: Range = range("", 0.0, 0.495, PERCENT);
 /// Coefficient of linear thermal expansion.
 pub const EXPANSION: Range = Range { or_zero: true, ..range("1/K", 1e-7, 2e-4, &[("1e-6/K", 1e-6, 0.0)]) };
+/// Expansion of a molten metal by volume.
+pub const MELT_EXPANSION: Range =
+    Range { or_zero: true, ..range("1/K", 1e-6, 1e-3, &[("1e-6/K", 1e-6, 0.0)]) };
 /// Yield stress of a metal; zero where it has melted.
 pub const YIELD: Range =
     Range { or_zero: true, ..range("Pa", 1e5, 1e10, &[("MPa", 1e6, 0.0), ("GPa", 1e9, 0.0)]) };

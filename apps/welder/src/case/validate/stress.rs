@@ -22,13 +22,6 @@ pub fn check(findings: &mut Findings, scene: &Scene, field: &str, stress: &Stres
         reason,
         "accepted with Stress: Uniform, or Auto, which is then Uniform",
     );
-    let reason = "the body of Stress and the particles that flow are not the same, so that its heat has no place to go";
-    findings.require(
-        !(stress.heat_of_deformation && scene.flow().is_some()),
-        &format!("{field}.heat_of_deformation"),
-        reason,
-        "accepted with Flow: false",
-    );
     for (index, region) in scene.part.regions.iter().enumerate() {
         let reason = "Stress takes one material in the whole part";
         let same = region.material.as_ref().is_none_or(|material| *material == scene.part.material);

@@ -7,25 +7,32 @@ use crate::physics::Column;
 use nalgebra::SVector;
 
 impl<const D: usize> FluidFlow<D> {
-    /// Largest change of a density over the one without pressure \[-\].
+    /// Largest change of a density over the one without pressure at its temperature \[-\].
     pub fn density_change(&self) -> f64 {
         let density = self.model.density();
-        self.densities[..self.fluid].iter().map(|rho| (rho / density - 1.0).abs()).fold(0.0, f64::max)
+        let stretched = |i: usize| self.densities[i] * self.model.stretch_at(&self.columns.positions[i]);
+        (0..self.fluid).map(|i| (stretched(i) / density - 1.0).abs()).fold(0.0, f64::max)
     }
 
     /// Energies of motion, of height over the lowest corner of the domain, and of compression \[J; J/m in the plane\].
     pub fn energies(&self) -> [f64; 3] {
         let (gravity, low, size) = (self.model.controls.body_acceleration, self.model.low, self.model.size);
         let lowest: f64 = (0..D).map(|a| (gravity[a] * low[a]).max(gravity[a] * (low[a] + size[a]))).sum();
-        let state = &self.model.controls.state;
         let mut sums = [0.0; 3];
         for i in 0..self.fluid {
             let mass = self.columns.masses[i];
             sums[0] += 0.5 * mass * self.columns.velocities[i].norm_squared();
             sums[1] += mass * (lowest - gravity.dot(&self.columns.positions[i]));
-            sums[2] += mass * state.energy(self.densities[i]);
+            sums[2] += mass * self.compression(i, self.columns.temperatures.get(i));
         }
         sums
+    }
+
+    /// Energy of compression of a particle \[J/kg\] at a temperature \[K\], where the scene has one.
+    pub(super) fn compression(&self, i: usize, temperature: Option<&f64>) -> f64 {
+        let controls = &self.model.controls;
+        let cold = || controls.state.energy(self.densities[i]);
+        temperature.map_or_else(cold, |&temperature| controls.compression(self.densities[i], temperature))
     }
 
     /// The energy ledger now.

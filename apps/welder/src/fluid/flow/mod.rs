@@ -207,14 +207,27 @@ impl<const D: usize> FluidFlow<D> {
     /// Advances the densities over `dt` \[s\] and writes the accelerations.
     fn evaluate(&mut self, dt: f64) {
         self.move_copies();
-        self.columns.temperatures.clear();
-        self.columns
-            .temperatures
-            .extend(self.columns.positions.iter().filter_map(|x| self.model.temperature_at(x)));
+        self.warm();
         let fields = self.columns.fields();
         self.sweep.accelerations(&fields, &mut self.densities, dt, &mut self.accelerations);
         self.cost.sweeps += 2;
         self.cost.pair_visits += 2 * self.columns.list.starts()[self.fluid] as u64;
+    }
+
+    /// Gives all particles the temperatures of their places; what that does to their energy of compression is the
+    /// work of expansion.
+    fn warm(&mut self) {
+        let places = self.columns.positions.iter();
+        let temperatures: Vec<f64> = places.filter_map(|x| self.model.temperature_at(x)).collect();
+        if self.model.controls.thermal_expansion.is_some() {
+            let before = &self.columns.temperatures;
+            let gained = |i: usize| {
+                self.columns.masses[i]
+                    * (self.compression(i, temperatures.get(i)) - self.compression(i, before.get(i)))
+            };
+            self.work.expansion += (0..self.fluid.min(before.len())).map(gained).sum::<f64>();
+        }
+        self.columns.temperatures = temperatures;
     }
 
     fn kick(&mut self, dt: f64) {

@@ -86,8 +86,12 @@ pub(super) struct Melt {
     masses: Vec<f64>,
     columns: Columns,
     accelerations: Vec<Vector3<f64>>,
-    /// Heat that friction has made in each particle of melt in this step of heat \[J/kg\].
+    /// Heat that friction has made in each particle of melt in this step of heat, and that its expansion has taken
+    /// \[J/kg\].
     warmth: Vec<f64>,
+    expanded: Vec<f64>,
+    /// Temperatures of the melt at the start of this step of heat and at its end \[K\].
+    warming: [Vec<f64>; 2],
     listed: Vec<Vector3<f64>>,
 }
 
@@ -122,13 +126,20 @@ impl Melt {
             columns: Columns::default(),
             accelerations: Vec::new(),
             warmth: Vec::new(),
+            expanded: Vec::new(),
+            warming: [Vec::new(), Vec::new()],
             listed: Vec::new(),
         })
     }
 
-    /// Density of the melt without pressure \[kg/m³\].
-    pub fn reference_density(&self) -> f64 {
+    /// Density of the melt without pressure at the liquidus \[kg/m³\].
+    fn reference_density(&self) -> f64 {
         self.controls.state.reference_density()
+    }
+
+    /// The same at a temperature \[K\].
+    pub fn density_at(&self, temperature: f64) -> f64 {
+        self.reference_density() / self.controls.stretch(temperature)
     }
 
     /// Mass of a particle \[kg\].
@@ -136,27 +147,29 @@ impl Melt {
         self.mass
     }
 
-    /// Energy of compression at a density \[J/kg\].
-    pub fn compression(&self, density: f64) -> f64 {
-        self.controls.state.energy(density)
+    /// Energy of compression at a density \[kg/m³\] and a temperature \[K\] \[J/kg\].
+    pub fn compression(&self, density: f64, temperature: f64) -> f64 {
+        self.controls.compression(density, temperature)
     }
 
-    /// Gives the melt this speed of sound \[m/s\], and `densities` that keep their pressures.
+    /// Gives the melt this speed of sound \[m/s\], and `densities`, each with its temperature \[K\], that keep their
+    /// pressures.
     ///
     /// # Errors
     /// What the fluid crate refuses.
-    pub fn set_sound_speed(
+    pub fn set_sound_speed<'a>(
         &mut self,
         sound_speed: f64,
-        densities: &mut [f64],
+        densities: impl Iterator<Item = (&'a mut f64, &'a f64)>,
     ) -> Result<(), sph_fluid::Error> {
         let before = self.controls.state;
         if sound_speed == before.reference_sound_speed() {
             return Ok(());
         }
         let after = Tait::new(before.reference_density(), sound_speed, TAIT_EXPONENT)?;
-        for density in densities.iter_mut().filter(|density| **density != before.reference_density()) {
-            *density = after.density(before.pressure(*density));
+        for (density, &temperature) in densities {
+            let stretch = self.controls.stretch(temperature);
+            *density = after.density(before.pressure(*density * stretch)) / stretch;
         }
         self.controls.state = after;
         self.fresh = FluidSweep::new(self.controls)?;
@@ -189,6 +202,7 @@ impl Melt {
             let dt = left / count;
             self.kick(0.5 * dt, &mut state.work);
             self.drift(dt);
+            self.warm(1.0 - (count - 1.0) * dt / step);
             if self.moved_far() {
                 list = self.list();
             }
@@ -213,9 +227,14 @@ impl Melt {
         self.positions = vectors(&particles.position);
         self.velocities = vectors(&state.velocities);
         self.densities = members.clone().map(|i| state.densities[i]).collect();
-        self.columns = columns.of(members);
+        self.columns = columns.of(members.clone());
+        self.warming = [members.map(|i| state.temperatures[i]).collect(), self.columns.temperatures.clone()];
+        if self.controls.thermal_expansion.is_some() {
+            self.columns.temperatures.clone_from(&self.warming[0]);
+        }
         self.accelerations = vec![Vector3::zeros(); self.members.len()];
         self.warmth = vec![0.0; self.members.len()];
+        self.expanded = vec![0.0; self.members.len()];
         // Melt moves by a part of a spacing in a step of heat.
         let reach = self.controls.kernel.support_radius() + self.spacing;
         let near = Nearby::new(&self.positions, reach);
@@ -239,8 +258,10 @@ impl Melt {
         for (k, &i) in self.members.iter().enumerate() {
             let i = i as usize;
             particles.position[i] = self.positions[k];
-            particles.enthalpy[i] += self.warmth[k];
+            particles.enthalpy[i] += self.warmth[k] - self.expanded[k];
             state.work.dissipated += particles.mass[i] * self.warmth[k];
+            state.work.expansion += particles.mass[i] * self.expanded[k];
+            state.temperatures[i] = self.columns.temperatures[k];
             state.velocities[i] = self.velocities[k];
             state.densities[i] = self.densities[k];
             state.pressures[i] = self.sweep.pressures()[k];
@@ -279,6 +300,23 @@ impl Melt {
             .unwrap_or_else(|_| NeighborList::default())
     }
 
+    /// Where warmth expands the melt, takes it a `share` of the way from the temperatures of the step's start to
+    /// those of its end, so that it grows evenly and without a blow. What that does to the energy of compression
+    /// comes out of the heat.
+    fn warm(&mut self, share: f64) {
+        if self.controls.thermal_expansion.is_none() {
+            return;
+        }
+        for (k, expanded) in self.expanded.iter_mut().enumerate() {
+            let [start, end] = [self.warming[0][k], self.warming[1][k]];
+            let (density, temperature) = (self.densities[k], &mut self.columns.temperatures[k]);
+            let before = *temperature;
+            *temperature = start + share * (end - start);
+            *expanded +=
+                self.controls.compression(density, *temperature) - self.controls.compression(density, before);
+        }
+    }
+
     /// Images follow what they show.
     fn move_images(&mut self) {
         let fluid = self.members.len();
@@ -286,6 +324,7 @@ impl Melt {
             let (source, mirror) = (source as usize, Vector3::from(self.images.mirror[image]));
             self.positions[fluid + image] = self.images.place(image, &self.positions[source]);
             self.velocities[fluid + image] = self.velocities[source].component_mul(&mirror);
+            self.columns.temperatures[fluid + image] = self.columns.temperatures[source];
         }
     }
 

@@ -10,7 +10,7 @@ mod state;
 use super::{Column, Cost, Exchange, Failure, Mechanics, Physics};
 use crate::build::{Workpiece, symmetry_planes};
 use crate::case::scene::FlowSchedule;
-use crate::model::{FlowModel, Model, ModelError, TensionLaw};
+use crate::model::{FlowModel, GRAVITY, Model, ModelError, TensionLaw};
 use crate::particles::Particles;
 use melt::{Columns, Melt};
 use nalgebra::Vector3;
@@ -28,9 +28,6 @@ const DENSITY_DIFFUSION: f64 = 0.1;
 
 /// Exponent of Tait's equation.
 const TAIT_EXPONENT: f64 = 7.0;
-
-/// Gravity \[m/s²\].
-const GRAVITY: f64 = 9.81;
 
 /// A particle melts where this share of it is liquid, and freezes where only the other is: between them it stays what it is.
 const MELTS_AT: f64 = 0.6;
@@ -85,6 +82,7 @@ impl Flow {
             body_acceleration: Vector3::new(0.0, 0.0, -GRAVITY),
             surface_tension: Some(flow.tension.for_steps()?),
             viscous_heating: true,
+            thermal_expansion: flow.expansion,
             renewal: Some(Renewal::default()),
             ..FluidControls::new(kernel, Tait::new(density, sound_speed, TAIT_EXPONENT)?)
         };
@@ -113,13 +111,17 @@ impl Flow {
             if molten == self.state.molten[i] {
                 continue;
             }
-            let energy = 0.5 * self.state.velocities[i].norm_squared()
-                + self.melt.compression(self.state.densities[i]);
-            particles.enthalpy[i] += energy;
-            self.state.work.frozen += particles.mass[i] * energy;
+            if self.state.molten[i] {
+                let energy = 0.5 * self.state.velocities[i].norm_squared()
+                    + self.melt.compression(self.state.densities[i], self.state.temperatures[i]);
+                particles.enthalpy[i] += energy;
+                self.state.work.frozen += particles.mass[i] * energy;
+            }
+            let temperature = self.curve.temperature(particles.enthalpy[i]);
             self.state.molten[i] = molten;
             self.state.velocities[i] = Vector3::zeros();
-            self.state.densities[i] = self.melt.reference_density();
+            self.state.temperatures[i] = temperature;
+            self.state.densities[i] = self.melt.density_at(temperature);
         }
     }
 
@@ -129,7 +131,9 @@ impl Flow {
         if self.sound_follows && needed > self.state.sound_speed && needed.is_finite() {
             self.state.sound_speed = SOUND_MARGIN * needed;
         }
-        self.melt.set_sound_speed(self.state.sound_speed, &mut self.state.densities)
+        let State { molten, densities, temperatures, sound_speed, .. } = &mut self.state;
+        let melt = densities.iter_mut().zip(temperatures.iter()).zip(molten.iter());
+        self.melt.set_sound_speed(*sound_speed, melt.filter_map(|(of, molten)| molten.then_some(of)))
     }
 
     /// Temperatures of all particles, and what depends on them.
@@ -219,7 +223,7 @@ impl Physics<3> for Flow {
     }
 
     fn energy(&self) -> Exchange {
-        Exchange { made: self.state.work.dissipated + self.state.work.frozen, ..Exchange::default() }
+        Exchange { made: self.state.work.heat(), ..Exchange::default() }
     }
 
     fn cost(&self) -> Cost {
@@ -230,7 +234,8 @@ impl Physics<3> for Flow {
         // Solid is at rest and without pressure.
         let melt = || (0..self.state.molten.len()).filter(|&i| self.state.molten[i]);
         let squares = melt().map(|i| self.state.velocities[i].norm_squared());
-        let compressions = melt().map(|i| self.melt.compression(self.state.densities[i]));
+        let compressions =
+            melt().map(|i| self.melt.compression(self.state.densities[i], self.state.temperatures[i]));
         Some(Mechanics {
             kinetic: 0.5 * self.melt.mass() * squares.sum::<f64>(),
             compression: self.melt.mass() * compressions.sum::<f64>(),
@@ -258,6 +263,8 @@ impl Physics<3> for Flow {
     fn restore(&mut self, _particles: &Particles<3>, saved: &[u8]) -> Result<(), String> {
         self.state = State::restore(saved, &self.state)?;
         // The densities are those of this sound already.
-        self.melt.set_sound_speed(self.state.sound_speed, &mut []).map_err(|error| format!("flow: {error}"))
+        self.melt
+            .set_sound_speed(self.state.sound_speed, std::iter::empty())
+            .map_err(|error| format!("flow: {error}"))
     }
 }

@@ -13,6 +13,8 @@ pub(super) struct State {
     pub velocities: Vec<Vector3<f64>>,
     /// Densities of the weakly compressible melt \[kg/m³\].
     pub densities: Vec<f64>,
+    /// Temperatures that the melt last had \[K\]: those that its energy of compression is of.
+    pub temperatures: Vec<f64>,
     /// Pressures at the last step; zero where nothing flows \[Pa\].
     pub pressures: Vec<f64>,
     /// Marangoni force on each particle at the last step \[N\].
@@ -31,6 +33,7 @@ struct Saved {
     molten: Vec<bool>,
     velocities: Vec<[f64; 3]>,
     densities: Vec<f64>,
+    temperatures: Vec<f64>,
     pressures: Vec<f64>,
     marangoni: Vec<[f64; 3]>,
     sound_speed: f64,
@@ -45,6 +48,7 @@ impl State {
             molten: vec![false; count],
             velocities: vec![Vector3::zeros(); count],
             densities: vec![density; count],
+            temperatures: vec![0.0; count],
             pressures: vec![0.0; count],
             marangoni: vec![Vector3::zeros(); count],
             sound_speed,
@@ -78,6 +82,7 @@ impl State {
             molten: self.molten.clone(),
             velocities: self.velocities.iter().map(|&velocity| velocity.into()).collect(),
             densities: self.densities.clone(),
+            temperatures: self.temperatures.clone(),
             pressures: self.pressures.clone(),
             marangoni: self.marangoni.iter().map(|&force| force.into()).collect(),
             sound_speed: self.sound_speed,
@@ -98,6 +103,7 @@ impl State {
             saved.molten.len(),
             saved.velocities.len(),
             saved.densities.len(),
+            saved.temperatures.len(),
             saved.pressures.len(),
             saved.marangoni.len(),
         ];
@@ -108,6 +114,7 @@ impl State {
             molten: saved.molten,
             velocities: saved.velocities.into_iter().map(Vector3::from).collect(),
             densities: saved.densities,
+            temperatures: saved.temperatures,
             pressures: saved.pressures,
             marangoni: saved.marangoni.into_iter().map(Vector3::from).collect(),
             sound_speed: saved.sound_speed,

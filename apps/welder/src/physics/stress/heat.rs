@@ -31,24 +31,17 @@ impl HeatOfDeformation {
         self.yielded.iter_mut().zip(works).for_each(|(sum, work)| *sum += work);
     }
 
-    /// Gives particles the heat of a step from its start to its end, with temperatures \[K\] and tr(sigma) \[Pa\] at both; returns the
-    /// sum \[J\].
-    pub fn warm(
-        &mut self,
-        particles: &mut Particles<3>,
-        temperatures: [&[f64]; 2],
-        traces: [&[f64]; 2],
-    ) -> f64 {
-        let mut sum = 0.0;
-        for i in 0..self.volumes.len() {
+    /// Heat \[J\] of each particle of the body in a step, with temperatures \[K\] and tr(sigma) \[Pa\] at its start
+    /// and its end.
+    pub fn of_step(&mut self, temperatures: [&[f64]; 2], traces: [&[f64]; 2]) -> Vec<f64> {
+        let heat = |i: usize| {
             let middle = 0.5 * (temperatures[0][i] + temperatures[1][i]);
             let pressed = self.expansion.coefficient(middle) * middle * (traces[1][i] - traces[0][i]);
-            let heat = self.yielded[i] - self.volumes[i] * pressed;
-            particles.enthalpy[i] += heat / particles.mass[i];
-            sum += heat;
-        }
+            self.yielded[i] - self.volumes[i] * pressed
+        };
+        let heats = (0..self.volumes.len()).map(heat).collect();
         self.yielded.fill(0.0);
-        sum
+        heats
     }
 
     /// sum V alpha T tr(sigma) \[J\].

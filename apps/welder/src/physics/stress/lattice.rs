@@ -56,6 +56,15 @@ impl Lattice {
         }
     }
 
+    /// Gives the particles of the scene what the body's have, `give(particle, share)`, by the weights that they are
+    /// read with: the sum is kept.
+    pub(super) fn spread(&mut self, body: &[f64], give: impl FnMut(usize, f64)) {
+        for (value, &particle) in self.values.iter_mut().zip(&self.nodes) {
+            *value = body[particle as usize];
+        }
+        self.sampler.spread(&self.values, give);
+    }
+
     /// What the particles of the scene show of a column of the body's.
     pub(super) fn shown<T: Copy>(&self, column: &[T]) -> Vec<T> {
         self.homes.iter().map(|&home| column[home as usize]).collect()

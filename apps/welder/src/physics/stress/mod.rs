@@ -190,7 +190,8 @@ impl Stress {
         in_plane.into_iter().map(|in_plane| SymmetricTensor { in_plane, out_of_plane: 0.0 }).collect()
     }
 
-    /// Gives the particles the heat of their deformation in this step.
+    /// Gives the particles the heat of deformation in this step; where melt flows, those that a place of the body
+    /// reads its temperature from share its heat.
     fn warm_particles(&mut self, particles: &mut Particles<3>) {
         let traces: Vec<f64> = match &self.heat {
             Some(_) => self.stresses().iter().map(|stress| stress.in_plane.trace()).collect(),
@@ -198,7 +199,13 @@ impl Stress {
         };
         let Some(heat) = &mut self.heat else { return };
         let temperatures = [&self.state.temperatures[..], &self.end_temperatures[..]];
-        self.state.deformed += heat.warm(particles, temperatures, [&self.state.traces, &traces]);
+        let heats = heat.of_step(temperatures, [&self.state.traces, &traces]);
+        self.state.deformed += heats.iter().sum::<f64>();
+        let mut warm = |i: usize, heat: f64| particles.enthalpy[i] += heat / particles.mass[i];
+        match &mut self.lattice {
+            Some(lattice) => lattice.spread(&heats, warm),
+            None => heats.iter().enumerate().for_each(|(i, &heat)| warm(i, heat)),
+        }
         self.state.traces = traces;
     }
 

@@ -143,6 +143,7 @@ fn model(rows: usize) -> Result<Model, ModelError> {
         settings: Flow { sound_speed_m_s: Some(sound_speed()), ..Flow::default() },
         viscosity: constant(DAMPING * density * DEPTH * (GRAVITY * DEPTH).sqrt()),
         tension: TensionLaw::Linear(SurfaceTension::new(TENSION, 0.0, HOT)?),
+        expansion: None,
         liquidus: model.materials[0].liquidus,
     });
     model.heat.weights = Weights::Normalized;
