@@ -1,5 +1,6 @@
 //! The stand-alone sweep of a weakly compressible fluid.
 
+mod near;
 mod powers;
 mod surface;
 
@@ -12,6 +13,7 @@ use crate::{
     viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
+use near::NearRows;
 use rayon::prelude::*;
 use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inverse, summation};
 use sph_kernel::{Row, RowBuffer, ScaledKernel};
@@ -152,7 +154,8 @@ pub struct FluidFields<'a, const D: usize> {
     pub mirrors: &'a [[f64; D]],
     /// Where each particle's row starts in `list_neighbors`; one entry more than particles.
     pub list_starts: &'a [usize],
-    /// A full list with ascending rows; entries outside the support do no harm.
+    /// A list with ascending rows; entries outside the support do no harm. Rows of fluid are full, those of walls hold fluid and copies at
+    /// least, those of copies are not read.
     pub list_neighbors: &'a [u32],
 }
 
@@ -180,13 +183,16 @@ impl<'a, const D: usize> FluidFields<'a, D> {
 /// A weakly compressible fluid between walls: density by continuity, pressure by Tait's law, Morris viscosity,
 /// Antuono's density diffusion, walls that carry the fluid's pressure and mirror its speed.
 ///
-/// Two passes over the rows a step, each with all its terms: density first, then forces. The density gradients of the
-/// diffusion are those of the previous evaluation. Columns are kept from step
-/// to step; each pass still makes row buffers, one for each piece of work of rayon.
+/// Two passes over the rows a step, each with all its terms: density first, then forces, and those of the surface between them, all
+/// over rows that hold nobody outside the support. The density gradients of the diffusion are those of the previous evaluation.
+/// Columns are kept from step to step; each pass still makes row buffers, one for each piece of work of rayon.
 #[derive(Clone, Debug)]
 pub struct FluidSweep<const D: usize> {
     controls: FluidControls<D>,
+    near: NearRows,
     rates: Vec<f64>,
+    /// sum m grad W \[kg/m^(D + 1)\] of the fluid, which shifting goes by; zero without renewal.
+    crowding: Vec<SVector<f64, D>>,
     volumes: Vec<f64>,
     pressures: Vec<f64>,
     /// Velocities that friction sees.
@@ -224,7 +230,9 @@ impl<const D: usize> FluidSweep<D> {
         Ok(Self {
             surface: controls.has_surface().then(|| SurfaceBand::new(controls.kernel)),
             controls,
+            near: NearRows::default(),
             rates: Vec::new(),
+            crowding: Vec::new(),
             volumes: Vec::new(),
             pressures: Vec::new(),
             seen: Vec::new(),
@@ -307,6 +315,21 @@ impl<const D: usize> FluidSweep<D> {
         let walls = particles - fluid - fields.copies.len();
         assert!(fields.wall_pressures.is_empty() || fields.wall_pressures.len() == walls, "wall_pressures");
         self.fit(particles, fluid);
+        let mut near = std::mem::take(&mut self.near);
+        near.find(fields, fluid, self.controls.kernel.support_radius());
+        self.evaluate(&near.of(fields), densities, dt_s, accelerations);
+        self.near = near;
+    }
+
+    /// The same for fields whose list has no skin.
+    fn evaluate(
+        &mut self,
+        fields: &FluidFields<'_, D>,
+        densities: &mut [f64],
+        dt_s: f64,
+        accelerations: &mut [SVector<f64, D>],
+    ) {
+        let fluid = accelerations.len();
         self.measure_tensions(fields);
         self.measure_stretches(fields, fluid);
         copy_images(densities, fluid, fields.copies);
@@ -333,6 +356,7 @@ impl<const D: usize> FluidSweep<D> {
 
     fn fit(&mut self, particles: usize, fluid: usize) {
         self.rates.resize(fluid, 0.0);
+        self.crowding.resize(fluid, SVector::zeros());
         self.friction.resize(fluid, SVector::zeros());
         self.heating.resize(fluid, 0.0);
         self.volumes.resize(particles, 0.0);
@@ -397,7 +421,7 @@ impl<const D: usize> FluidSweep<D> {
         self.even_densities.extend(stretched.map(|(density, stretch)| density * stretch));
     }
 
-    /// First pass: continuity over all neighbours, diffusion over fluid ones.
+    /// First pass: continuity over all neighbours, diffusion over fluid ones, and how they crowd.
     fn measure_rates(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
         let Self { controls, volumes, pressures, density_gradients, surface, corrections, .. } = self;
         let columns =
@@ -410,7 +434,8 @@ impl<const D: usize> FluidSweep<D> {
             * controls.kernel.smoothing_length()
             * controls.state.reference_sound_speed();
         let mobile = fluid + fields.copies.len();
-        self.rates.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, rate)| {
+        let written = (&mut self.rates, &mut self.crowding).into_par_iter().enumerate();
+        written.for_each_init(RowBuffer::default, |buffer, (i, (rate, crowding))| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
             *rate = match corrections.get(i) {
                 Some(correction) => corrected_density_rate(&row, &columns, correction),
@@ -428,6 +453,7 @@ impl<const D: usize> FluidSweep<D> {
                 let (summed, density) = (summation(&row, masses, central), even.densities[i]);
                 let pull = renewal.density_rate(summed, colour, density, sound_speed, length);
                 *rate += pull * densities[i] / density;
+                *crowding = colour_gradient(&row, masses);
             }
         });
     }
@@ -519,19 +545,17 @@ impl<const D: usize> FluidSweep<D> {
         let squares = fields.velocities[..fluid].iter().map(SVector::norm_squared);
         let largest_speed = squares.fold(0.0, f64::max).sqrt();
         let reference_density = self.controls.state.reference_density();
-        let masses = even_or(&self.even_masses, fields.masses);
-        let (pressures, length, viscosity) =
-            (&self.pressures, kernel.smoothing_length(), self.controls.kinematic_viscosity());
+        let (length, viscosity) = (kernel.smoothing_length(), self.controls.kinematic_viscosity());
         self.shifts.resize(fluid, SVector::zeros());
-        self.shifts.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, shift)| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            let crowding = concentration_gradient(&row, masses, reference_density);
+        for (i, shift) in self.shifts.iter_mut().enumerate() {
+            let crowding = self.crowding[i] / reference_density;
             let (normal, depth) = &surface.planes()[i];
             let flat =
                 if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
-            let tearing = TEARING_SHARE * tearing_speed(pressures[i], reference_density, viscosity, length);
+            let tearing =
+                TEARING_SHARE * tearing_speed(self.pressures[i], reference_density, viscosity, length);
             *shift = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
-        });
+        }
     }
 }
 
@@ -571,11 +595,6 @@ fn heat_of_friction<const D: usize>(
     } else {
         own
     }
-}
-
-/// sum_b (m_b/rho_0) grad W \[1/m\].
-fn concentration_gradient<const D: usize>(row: &Row<'_, D>, masses: &[f64], density: f64) -> SVector<f64, D> {
-    colour_gradient(row, masses) / density
 }
 
 /// The column at the reference temperature, where there is one.
