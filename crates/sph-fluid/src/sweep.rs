@@ -1,5 +1,6 @@
 //! The stand-alone sweep of a weakly compressible fluid.
 
+mod buffers;
 mod near;
 mod powers;
 mod surface;
@@ -16,8 +17,9 @@ use nalgebra::{SMatrix, SVector};
 use near::NearRows;
 use rayon::prelude::*;
 use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inverse, summation};
-use sph_kernel::{Row, RowBuffer, ScaledKernel};
+use sph_kernel::{Row, ScaledKernel};
 
+pub(crate) use buffers::Buffers;
 pub use powers::Powers;
 
 /// Share of the acoustic step at rest below which a fluid is wild.
@@ -185,11 +187,12 @@ impl<'a, const D: usize> FluidFields<'a, D> {
 ///
 /// Two passes over the rows a step, each with all its terms: density first, then forces, and those of the surface between them, all
 /// over rows that hold nobody outside the support. The density gradients of the diffusion are those of the previous evaluation.
-/// Columns are kept from step to step; each pass still makes row buffers, one for each piece of work of rayon.
+/// Columns are kept from step to step: once they have their size, a step allocates nothing.
 #[derive(Clone, Debug)]
 pub struct FluidSweep<const D: usize> {
     controls: FluidControls<D>,
     near: NearRows,
+    buffers: Buffers<D>,
     rates: Vec<f64>,
     /// sum m grad W \[kg/m^(D + 1)\] of the fluid, which shifting goes by; zero without renewal.
     crowding: Vec<SVector<f64, D>>,
@@ -231,6 +234,7 @@ impl<const D: usize> FluidSweep<D> {
             surface: controls.has_surface().then(|| SurfaceBand::new(controls.kernel)),
             controls,
             near: NearRows::default(),
+            buffers: Buffers::default(),
             rates: Vec::new(),
             crowding: Vec::new(),
             volumes: Vec::new(),
@@ -370,15 +374,18 @@ impl<const D: usize> FluidSweep<D> {
 
     /// Pass of the corrected gradients: B of the fluid and its copies; walls keep plain ones.
     fn measure_corrections(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
-        let Self { controls, volumes, corrections, .. } = self;
+        let Self { controls, buffers, volumes, corrections, .. } = self;
         if corrections.is_empty() {
             return;
         }
         let (own, others) = corrections.split_at_mut(fluid);
-        own.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, correction)| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            *correction = regularised_inverse(&moment(&row, volumes));
-        });
+        own.par_iter_mut().enumerate().for_each_init(
+            || buffers.take(),
+            |buffer, (i, correction)| {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
+                *correction = regularised_inverse(&moment(&row, volumes));
+            },
+        );
         others.fill(SMatrix::identity());
         copy_images(corrections, fluid, fields.copies);
         for (correction, mirror) in corrections[fluid..].iter_mut().zip(fields.mirrors) {
@@ -423,7 +430,8 @@ impl<const D: usize> FluidSweep<D> {
 
     /// First pass: continuity over all neighbours, diffusion over fluid ones, and how they crowd.
     fn measure_rates(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
-        let Self { controls, volumes, pressures, density_gradients, surface, corrections, .. } = self;
+        let Self { controls, buffers, volumes, pressures, density_gradients, surface, corrections, .. } =
+            self;
         let columns =
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
         let even = Fields { densities: even_or(&self.even_densities, densities), ..columns };
@@ -435,33 +443,37 @@ impl<const D: usize> FluidSweep<D> {
             * controls.state.reference_sound_speed();
         let mobile = fluid + fields.copies.len();
         let written = (&mut self.rates, &mut self.crowding).into_par_iter().enumerate();
-        written.for_each_init(RowBuffer::default, |buffer, (i, (rate, crowding))| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            *rate = match corrections.get(i) {
-                Some(correction) => corrected_density_rate(&row, &columns, correction),
-                None => density_rate(&row, &columns),
-            };
-            if diffusivity > 0.0 {
-                let fluid_row = leading_part(&row, mobile);
-                let spread = corrected_diffusion(&fluid_row, &even, density_gradients);
-                *rate += diffusivity * spread * densities[i] / even.densities[i];
-            }
-            if let Some((renewal, surface)) = &renewal {
-                // Depths are those of the previous evaluation; before the first there are none.
-                let depth = surface.planes().get(i).map_or(f64::INFINITY, |plane| plane.1);
-                let (colour, length) = (surface.profile().colour(depth), controls.kernel.smoothing_length());
-                let (summed, density) = (summation(&row, masses, central), even.densities[i]);
-                let pull = renewal.density_rate(summed, colour, density, sound_speed, length);
-                *rate += pull * densities[i] / density;
-                *crowding = colour_gradient(&row, masses);
-            }
-        });
+        written.for_each_init(
+            || buffers.take(),
+            |buffer, (i, (rate, crowding))| {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
+                *rate = match corrections.get(i) {
+                    Some(correction) => corrected_density_rate(&row, &columns, correction),
+                    None => density_rate(&row, &columns),
+                };
+                if diffusivity > 0.0 {
+                    let fluid_row = leading_part(&row, mobile);
+                    let spread = corrected_diffusion(&fluid_row, &even, density_gradients);
+                    *rate += diffusivity * spread * densities[i] / even.densities[i];
+                }
+                if let Some((renewal, surface)) = &renewal {
+                    // Depths are those of the previous evaluation; before the first there are none.
+                    let depth = surface.planes().get(i).map_or(f64::INFINITY, |plane| plane.1);
+                    let (colour, length) =
+                        (surface.profile().colour(depth), controls.kernel.smoothing_length());
+                    let (summed, density) = (summation(&row, masses, central), even.densities[i]);
+                    let pull = renewal.density_rate(summed, colour, density, sound_speed, length);
+                    *rate += pull * densities[i] / density;
+                    *crowding = colour_gradient(&row, masses);
+                }
+            },
+        );
     }
 
     /// Pressures of fluid and copies from densities, of walls from the fluid near them; velocities that friction sees.
     fn update_states(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
         let mobile = fluid + fields.copies.len();
-        let Self { controls, volumes, pressures, seen, even_densities, .. } = self;
+        let Self { controls, buffers, volumes, pressures, seen, even_densities, .. } = self;
         let even_densities = even_or(even_densities, densities);
         for i in 0..mobile {
             pressures[i] = controls.state.pressure(even_densities[i]);
@@ -476,22 +488,25 @@ impl<const D: usize> FluidSweep<D> {
             velocities: fields.velocities,
         };
         let walls = wall_pressures.par_iter_mut().zip(seen[mobile..].par_iter_mut()).enumerate();
-        walls.for_each_init(RowBuffer::default, |buffer, (k, (pressure, velocity))| {
-            let i = mobile + k;
-            let neighbors = fields.neighbors(i);
-            let fluid = &neighbors[..neighbors.partition_point(|&b| (b as usize) < mobile)];
-            let fluid_row = buffer.fill(i, fluid, fields.positions, &controls.kernel);
-            let state = wall_state(&fluid_row, &columns, &controls.body_acceleration);
-            let own = fields.velocities[i];
-            (*pressure, *velocity) = match state {
-                Some(state) => (
-                    fields.wall_pressures.get(k).copied().unwrap_or(state.pressure),
-                    wall_velocity(&own, &state.fluid_velocity),
-                ),
-                // Out of the fluid's reach: no fluid particle reads it.
-                None => (0.0, own),
-            };
-        });
+        walls.for_each_init(
+            || buffers.take(),
+            |buffer, (k, (pressure, velocity))| {
+                let i = mobile + k;
+                let neighbors = fields.neighbors(i);
+                let fluid = &neighbors[..neighbors.partition_point(|&b| (b as usize) < mobile)];
+                let fluid_row = buffer.fill(i, fluid, fields.positions, &controls.kernel);
+                let state = wall_state(&fluid_row, &columns, &controls.body_acceleration);
+                let own = fields.velocities[i];
+                (*pressure, *velocity) = match state {
+                    Some(state) => (
+                        fields.wall_pressures.get(k).copied().unwrap_or(state.pressure),
+                        wall_velocity(&own, &state.fluid_velocity),
+                    ),
+                    // Out of the fluid's reach: no fluid particle reads it.
+                    None => (0.0, own),
+                };
+            },
+        );
     }
 
     /// Second pass: forces, the heat of friction, and the density gradients of the next diffusion.
@@ -503,6 +518,7 @@ impl<const D: usize> FluidSweep<D> {
     ) {
         let Self {
             controls,
+            buffers,
             volumes,
             pressures,
             seen,
@@ -518,24 +534,27 @@ impl<const D: usize> FluidSweep<D> {
         let even_densities = even_or(&self.even_densities, densities);
         let viscosity = fields.viscosity(controls.dynamic_viscosity);
         let written = (accelerations, density_gradients, friction, heating).into_par_iter().enumerate();
-        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient, friction, heat))| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            let pressure = if corrections.is_empty() {
-                volume_pressure_acceleration(&row, &columns)
-            } else {
-                conjugate_pressure_acceleration(&row, &columns, corrections)
-            };
-            *friction = friction_acceleration(&row, &columns, seen, viscosity, controls);
-            *sum = controls.body_acceleration + pressure + *friction;
-            if controls.viscous_heating {
-                *heat = heat_of_friction(&row, &columns, seen, mobile, viscosity, controls);
-            }
-            if controls.density_diffusion > 0.0 {
-                let fluid_row = leading_part(&row, mobile);
-                let inverse = regularised_inverse(&moment(&fluid_row, volumes));
-                *density_gradient = gradient(&fluid_row, volumes, even_densities, &inverse);
-            }
-        });
+        written.for_each_init(
+            || buffers.take(),
+            |buffer, (i, (sum, density_gradient, friction, heat))| {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
+                let pressure = if corrections.is_empty() {
+                    volume_pressure_acceleration(&row, &columns)
+                } else {
+                    conjugate_pressure_acceleration(&row, &columns, corrections)
+                };
+                *friction = friction_acceleration(&row, &columns, seen, viscosity, controls);
+                *sum = controls.body_acceleration + pressure + *friction;
+                if controls.viscous_heating {
+                    *heat = heat_of_friction(&row, &columns, seen, mobile, viscosity, controls);
+                }
+                if controls.density_diffusion > 0.0 {
+                    let fluid_row = leading_part(&row, mobile);
+                    let inverse = regularised_inverse(&moment(&fluid_row, volumes));
+                    *density_gradient = gradient(&fluid_row, volumes, even_densities, &inverse);
+                }
+            },
+        );
     }
 
     /// Shift velocities of the next drift.
