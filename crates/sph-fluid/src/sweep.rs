@@ -1,5 +1,7 @@
 //! The stand-alone sweep of a weakly compressible fluid.
 
+mod buffers;
+mod near;
 mod powers;
 mod surface;
 mod warmth;
@@ -13,10 +15,12 @@ use crate::{
     viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
+use near::NearRows;
 use rayon::prelude::*;
 use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inverse, summation};
-use sph_kernel::{Row, RowBuffer, ScaledKernel};
+use sph_kernel::{Row, ScaledKernel};
 
+pub(crate) use buffers::Buffers;
 pub use powers::Powers;
 
 /// Share of the acoustic step at rest below which a fluid is wild.
@@ -153,7 +157,8 @@ pub struct FluidFields<'a, const D: usize> {
     pub mirrors: &'a [[f64; D]],
     /// Where each particle's row starts in `list_neighbors`; one entry more than particles.
     pub list_starts: &'a [usize],
-    /// A full list with ascending rows; entries outside the support do no harm.
+    /// A list with ascending rows; entries outside the support do no harm. Rows of fluid are full, those of walls hold fluid and copies at
+    /// least, those of copies are not read.
     pub list_neighbors: &'a [u32],
 }
 
@@ -181,13 +186,17 @@ impl<'a, const D: usize> FluidFields<'a, D> {
 /// A weakly compressible fluid between walls: density by continuity, pressure by Tait's law, Morris viscosity,
 /// Antuono's density diffusion, walls that carry the fluid's pressure and mirror its speed.
 ///
-/// Two passes over the rows a step, each with all its terms: density first, then forces. The density gradients of the
-/// diffusion are those of the previous evaluation. Columns are kept from step
-/// to step; each pass still makes row buffers, one for each piece of work of rayon.
+/// Two passes over the rows a step, each with all its terms: density first, then forces, and those of the surface between them, all
+/// over rows that hold nobody outside the support. The density gradients of the diffusion are those of the previous evaluation.
+/// Columns are kept from step to step: once they have their size, a step allocates nothing.
 #[derive(Clone, Debug)]
 pub struct FluidSweep<const D: usize> {
     controls: FluidControls<D>,
+    near: NearRows,
+    buffers: Buffers<D>,
     rates: Vec<f64>,
+    /// sum m grad W \[kg/m^(D + 1)\] of the fluid, which shifting goes by; zero without renewal.
+    crowding: Vec<SVector<f64, D>>,
     volumes: Vec<f64>,
     pressures: Vec<f64>,
     /// Velocities that friction sees.
@@ -225,7 +234,10 @@ impl<const D: usize> FluidSweep<D> {
         Ok(Self {
             surface: controls.has_surface().then(|| SurfaceBand::new(controls.kernel)),
             controls,
+            near: NearRows::default(),
+            buffers: Buffers::default(),
             rates: Vec::new(),
+            crowding: Vec::new(),
             volumes: Vec::new(),
             pressures: Vec::new(),
             seen: Vec::new(),
@@ -308,6 +320,21 @@ impl<const D: usize> FluidSweep<D> {
         let walls = particles - fluid - fields.copies.len();
         assert!(fields.wall_pressures.is_empty() || fields.wall_pressures.len() == walls, "wall_pressures");
         self.fit(particles, fluid);
+        let mut near = std::mem::take(&mut self.near);
+        near.find(fields, fluid, self.controls.kernel.support_radius());
+        self.evaluate(&near.of(fields), densities, dt_s, accelerations);
+        self.near = near;
+    }
+
+    /// The same for fields whose list has no skin.
+    fn evaluate(
+        &mut self,
+        fields: &FluidFields<'_, D>,
+        densities: &mut [f64],
+        dt_s: f64,
+        accelerations: &mut [SVector<f64, D>],
+    ) {
+        let fluid = accelerations.len();
         self.measure_tensions(fields);
         self.measure_stretches(fields, fluid);
         copy_images(densities, fluid, fields.copies);
@@ -334,6 +361,7 @@ impl<const D: usize> FluidSweep<D> {
 
     fn fit(&mut self, particles: usize, fluid: usize) {
         self.rates.resize(fluid, 0.0);
+        self.crowding.resize(fluid, SVector::zeros());
         self.friction.resize(fluid, SVector::zeros());
         self.heating.resize(fluid, 0.0);
         self.volumes.resize(particles, 0.0);
@@ -347,15 +375,18 @@ impl<const D: usize> FluidSweep<D> {
 
     /// Pass of the corrected gradients: B of the fluid and its copies; walls keep plain ones.
     fn measure_corrections(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
-        let Self { controls, volumes, corrections, .. } = self;
+        let Self { controls, buffers, volumes, corrections, .. } = self;
         if corrections.is_empty() {
             return;
         }
         let (own, others) = corrections.split_at_mut(fluid);
-        own.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, correction)| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            *correction = regularised_inverse(&moment(&row, volumes));
-        });
+        own.par_iter_mut().enumerate().for_each_init(
+            || buffers.take(),
+            |buffer, (i, correction)| {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
+                *correction = regularised_inverse(&moment(&row, volumes));
+            },
+        );
         others.fill(SMatrix::identity());
         copy_images(corrections, fluid, fields.copies);
         for (correction, mirror) in corrections[fluid..].iter_mut().zip(fields.mirrors) {
@@ -398,9 +429,10 @@ impl<const D: usize> FluidSweep<D> {
         self.even_densities.extend(stretched.map(|(density, stretch)| density * stretch));
     }
 
-    /// First pass: continuity over all neighbours, diffusion over fluid ones.
+    /// First pass: continuity over all neighbours, diffusion over fluid ones, and how they crowd.
     fn measure_rates(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
-        let Self { controls, volumes, pressures, density_gradients, surface, corrections, .. } = self;
+        let Self { controls, buffers, volumes, pressures, density_gradients, surface, corrections, .. } =
+            self;
         let columns =
             Fields { masses: fields.masses, densities, volumes, pressures, velocities: fields.velocities };
         let even = Fields { densities: even_or(&self.even_densities, densities), ..columns };
@@ -411,32 +443,38 @@ impl<const D: usize> FluidSweep<D> {
             * controls.kernel.smoothing_length()
             * controls.state.reference_sound_speed();
         let mobile = fluid + fields.copies.len();
-        self.rates.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, rate)| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            *rate = match corrections.get(i) {
-                Some(correction) => corrected_density_rate(&row, &columns, correction),
-                None => density_rate(&row, &columns),
-            };
-            if diffusivity > 0.0 {
-                let fluid_row = leading_part(&row, mobile);
-                let spread = corrected_diffusion(&fluid_row, &even, density_gradients);
-                *rate += diffusivity * spread * densities[i] / even.densities[i];
-            }
-            if let Some((renewal, surface)) = &renewal {
-                // Depths are those of the previous evaluation; before the first there are none.
-                let depth = surface.planes().get(i).map_or(f64::INFINITY, |plane| plane.1);
-                let (colour, length) = (surface.profile().colour(depth), controls.kernel.smoothing_length());
-                let (summed, density) = (summation(&row, masses, central), even.densities[i]);
-                let pull = renewal.density_rate(summed, colour, density, sound_speed, length);
-                *rate += pull * densities[i] / density;
-            }
-        });
+        let written = (&mut self.rates, &mut self.crowding).into_par_iter().enumerate();
+        written.for_each_init(
+            || buffers.take(),
+            |buffer, (i, (rate, crowding))| {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
+                *rate = match corrections.get(i) {
+                    Some(correction) => corrected_density_rate(&row, &columns, correction),
+                    None => density_rate(&row, &columns),
+                };
+                if diffusivity > 0.0 {
+                    let fluid_row = leading_part(&row, mobile);
+                    let spread = corrected_diffusion(&fluid_row, &even, density_gradients);
+                    *rate += diffusivity * spread * densities[i] / even.densities[i];
+                }
+                if let Some((renewal, surface)) = &renewal {
+                    // Depths are those of the previous evaluation; before the first there are none.
+                    let depth = surface.planes().get(i).map_or(f64::INFINITY, |plane| plane.1);
+                    let (colour, length) =
+                        (surface.profile().colour(depth), controls.kernel.smoothing_length());
+                    let (summed, density) = (summation(&row, masses, central), even.densities[i]);
+                    let pull = renewal.density_rate(summed, colour, density, sound_speed, length);
+                    *rate += pull * densities[i] / density;
+                    *crowding = colour_gradient(&row, masses);
+                }
+            },
+        );
     }
 
     /// Pressures of fluid and copies from densities, of walls from the fluid near them; velocities that friction sees.
     fn update_states(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
         let mobile = fluid + fields.copies.len();
-        let Self { controls, volumes, pressures, seen, even_densities, .. } = self;
+        let Self { controls, buffers, volumes, pressures, seen, even_densities, .. } = self;
         let even_densities = even_or(even_densities, densities);
         for i in 0..mobile {
             pressures[i] = controls.state.pressure(even_densities[i]);
@@ -451,22 +489,25 @@ impl<const D: usize> FluidSweep<D> {
             velocities: fields.velocities,
         };
         let walls = wall_pressures.par_iter_mut().zip(seen[mobile..].par_iter_mut()).enumerate();
-        walls.for_each_init(RowBuffer::default, |buffer, (k, (pressure, velocity))| {
-            let i = mobile + k;
-            let neighbors = fields.neighbors(i);
-            let fluid = &neighbors[..neighbors.partition_point(|&b| (b as usize) < mobile)];
-            let fluid_row = buffer.fill(i, fluid, fields.positions, &controls.kernel);
-            let state = wall_state(&fluid_row, &columns, &controls.body_acceleration);
-            let own = fields.velocities[i];
-            (*pressure, *velocity) = match state {
-                Some(state) => (
-                    fields.wall_pressures.get(k).copied().unwrap_or(state.pressure),
-                    wall_velocity(&own, &state.fluid_velocity),
-                ),
-                // Out of the fluid's reach: no fluid particle reads it.
-                None => (0.0, own),
-            };
-        });
+        walls.for_each_init(
+            || buffers.take(),
+            |buffer, (k, (pressure, velocity))| {
+                let i = mobile + k;
+                let neighbors = fields.neighbors(i);
+                let fluid = &neighbors[..neighbors.partition_point(|&b| (b as usize) < mobile)];
+                let fluid_row = buffer.fill(i, fluid, fields.positions, &controls.kernel);
+                let state = wall_state(&fluid_row, &columns, &controls.body_acceleration);
+                let own = fields.velocities[i];
+                (*pressure, *velocity) = match state {
+                    Some(state) => (
+                        fields.wall_pressures.get(k).copied().unwrap_or(state.pressure),
+                        wall_velocity(&own, &state.fluid_velocity),
+                    ),
+                    // Out of the fluid's reach: no fluid particle reads it.
+                    None => (0.0, own),
+                };
+            },
+        );
     }
 
     /// Second pass: forces, the heat of friction, and the density gradients of the next diffusion.
@@ -478,6 +519,7 @@ impl<const D: usize> FluidSweep<D> {
     ) {
         let Self {
             controls,
+            buffers,
             volumes,
             pressures,
             seen,
@@ -493,24 +535,27 @@ impl<const D: usize> FluidSweep<D> {
         let even_densities = even_or(&self.even_densities, densities);
         let viscosity = fields.viscosity(controls.dynamic_viscosity);
         let written = (accelerations, density_gradients, friction, heating).into_par_iter().enumerate();
-        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient, friction, heat))| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            let pressure = if corrections.is_empty() {
-                volume_pressure_acceleration(&row, &columns)
-            } else {
-                conjugate_pressure_acceleration(&row, &columns, corrections)
-            };
-            *friction = friction_acceleration(&row, &columns, seen, viscosity, controls);
-            *sum = controls.body_acceleration + pressure + *friction;
-            if controls.viscous_heating {
-                *heat = heat_of_friction(&row, &columns, seen, mobile, viscosity, controls);
-            }
-            if controls.density_diffusion > 0.0 {
-                let fluid_row = leading_part(&row, mobile);
-                let inverse = regularised_inverse(&moment(&fluid_row, volumes));
-                *density_gradient = gradient(&fluid_row, volumes, even_densities, &inverse);
-            }
-        });
+        written.for_each_init(
+            || buffers.take(),
+            |buffer, (i, (sum, density_gradient, friction, heat))| {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
+                let pressure = if corrections.is_empty() {
+                    volume_pressure_acceleration(&row, &columns)
+                } else {
+                    conjugate_pressure_acceleration(&row, &columns, corrections)
+                };
+                *friction = friction_acceleration(&row, &columns, seen, viscosity, controls);
+                *sum = controls.body_acceleration + pressure + *friction;
+                if controls.viscous_heating {
+                    *heat = heat_of_friction(&row, &columns, seen, mobile, viscosity, controls);
+                }
+                if controls.density_diffusion > 0.0 {
+                    let fluid_row = leading_part(&row, mobile);
+                    let inverse = regularised_inverse(&moment(&fluid_row, volumes));
+                    *density_gradient = gradient(&fluid_row, volumes, even_densities, &inverse);
+                }
+            },
+        );
     }
 
     /// Shift velocities of the next drift.
@@ -520,19 +565,17 @@ impl<const D: usize> FluidSweep<D> {
         let squares = fields.velocities[..fluid].iter().map(SVector::norm_squared);
         let largest_speed = squares.fold(0.0, f64::max).sqrt();
         let reference_density = self.controls.state.reference_density();
-        let masses = even_or(&self.even_masses, fields.masses);
-        let (pressures, length, viscosity) =
-            (&self.pressures, kernel.smoothing_length(), self.controls.kinematic_viscosity());
+        let (length, viscosity) = (kernel.smoothing_length(), self.controls.kinematic_viscosity());
         self.shifts.resize(fluid, SVector::zeros());
-        self.shifts.par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, shift)| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            let crowding = concentration_gradient(&row, masses, reference_density);
+        for (i, shift) in self.shifts.iter_mut().enumerate() {
+            let crowding = self.crowding[i] / reference_density;
             let (normal, depth) = &surface.planes()[i];
             let flat =
                 if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
-            let tearing = TEARING_SHARE * tearing_speed(pressures[i], reference_density, viscosity, length);
+            let tearing =
+                TEARING_SHARE * tearing_speed(self.pressures[i], reference_density, viscosity, length);
             *shift = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
-        });
+        }
     }
 }
 
@@ -572,11 +615,6 @@ fn heat_of_friction<const D: usize>(
     } else {
         own
     }
-}
-
-/// sum_b (m_b/rho_0) grad W \[1/m\].
-fn concentration_gradient<const D: usize>(row: &Row<'_, D>, masses: &[f64], density: f64) -> SVector<f64, D> {
-    colour_gradient(row, masses) / density
 }
 
 /// The column at the reference temperature, where there is one.

@@ -1,33 +1,12 @@
-//! A step of the packed sweep allocates nothing, with and without new lists. In a file of its own: it counts what the
-//! whole process allocates.
+//! A step of the packed sweep allocates nothing, with and without new lists.
 
+mod counting;
+
+use counting::allocations_of;
 use nalgebra::{SVector, Vector3};
 use sph_fluid::{FluidControls, PackedFields, PackedParticle, PackedRates, PackedRows, PackedSweep, Tait};
 use sph_kernel::KernelKind;
 use sph_neighbors::BlockedPairs;
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-struct Counting;
-
-static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: every call is passed on to the system's allocator as it is.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: as the caller has promised.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as the caller has promised.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
 
 struct Fluid {
     sweep: PackedSweep<3>,
@@ -95,14 +74,13 @@ fn a_step_allocates_nothing() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let mut fluid = Fluid::new(20);
         let mut run = |steps| {
-            pool.install(|| {
-                let before = ALLOCATIONS.load(Ordering::Relaxed);
+            let run = || {
                 for _ in 0..steps {
                     fluid.list();
                     (0..3).for_each(|_| fluid.step());
                 }
-                ALLOCATIONS.load(Ordering::Relaxed) - before
-            })
+            };
+            pool.install(|| allocations_of(run))
         };
         assert!(run(3) > 0, "the first lists allocate, or nothing is counted");
         assert_eq!(run(5), 0, "{threads} threads");

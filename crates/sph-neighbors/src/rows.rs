@@ -1,6 +1,8 @@
 //! From indexed levels to the finished list.
 
+use crate::id_set::IdSet;
 use crate::levels::split;
+use crate::parts::{Part, Parts};
 use crate::point_index::{PointIndex, distance_squared};
 use crate::{NeighborList, PairReach};
 use nalgebra::SVector;
@@ -9,20 +11,36 @@ use rayon::prelude::*;
 /// Rows that one task makes. Fixed, and rows are independent: the list is the same for any number of threads.
 const ROWS_PER_TASK: usize = 512;
 
-/// The full list of a checked input, with the index `I` on every level.
+/// The rows that the parts of a checked input need, with the index `I` on every level.
 pub(crate) fn find_rows<I: PointIndex<D>, const D: usize>(
     positions: &[SVector<f64, D>],
     reach: PairReach<'_>,
+    parts: Parts,
 ) -> NeighborList {
     let (levels, level_of) = split(&reach, positions.len());
-    let indices = levels.iter().map(|level| I::build(positions, &level.members, level.radius)).collect();
-    let search = LeveledSearch::<I, D> { positions, reach, indices, level_of: &level_of };
+    let mobile = parts.owned + parts.copies;
+    let build =
+        |members: &[u32], radius: f64| (!members.is_empty()).then(|| I::build(positions, members, radius));
+    let leading = |members: &[u32]| members.partition_point(|&member| (member as usize) < mobile);
+    let search = LeveledSearch::<I, D> {
+        positions,
+        reach,
+        parts,
+        all: levels.iter().map(|level| build(&level.members, level.radius)).collect(),
+        mobile: if mobile < positions.len() {
+            let led = levels.iter().map(|level| (&level.members[..leading(&level.members)], level.radius));
+            led.map(|(members, radius)| build(members, radius)).collect()
+        } else {
+            Vec::new()
+        },
+        level_of: &level_of,
+    };
     let tasks: Vec<Rows> = (0..positions.len().div_ceil(ROWS_PER_TASK))
         .into_par_iter()
         .map(|task| search.rows_of_task(task))
         .collect();
     let upward = concatenate(tasks);
-    if levels.len() > 1 { with_mirrored(&upward, &level_of) } else { upward }
+    if levels.len() > 1 { with_mirrored(&upward, &level_of, parts) } else { upward }
 }
 
 /// Some consecutive rows: the length of each, and all one after the other.
@@ -34,7 +52,11 @@ struct Rows {
 struct LeveledSearch<'a, I, const D: usize> {
     positions: &'a [SVector<f64, D>],
     reach: PairReach<'a>,
-    indices: Vec<I>,
+    parts: Parts,
+    /// Of all particles, one index for each level.
+    all: Vec<Option<I>>,
+    /// Of those whom others than owned ones and copies see.
+    mobile: Vec<Option<I>>,
     level_of: &'a [u16],
 }
 
@@ -43,27 +65,33 @@ impl<I: PointIndex<D>, const D: usize> LeveledSearch<'_, I, D> {
         let first = task * ROWS_PER_TASK;
         let particles = first..(first + ROWS_PER_TASK).min(self.positions.len());
         let mut rows = Rows { lengths: Vec::with_capacity(particles.len()), indices: Vec::new() };
-        let mut found = Vec::new();
+        let (mut found, mut set) = (Vec::new(), IdSet::new(self.positions.len()));
         for particle in particles {
             self.find_upward(particle, &mut found);
-            rows.lengths.push(found.len() as u32);
-            rows.indices.extend_from_slice(&found);
+            let before = rows.indices.len();
+            set.sort_into(&found, particle as u32, &mut rows.indices);
+            rows.lengths.push((rows.indices.len() - before) as u32);
         }
         rows
     }
 
-    /// The neighbours of a particle on its own and on all higher levels, ascending.
+    /// The neighbours of a particle on its own and on all higher levels, and itself, in any order. A copy needs no row, but who is
+    /// larger learns of it from there.
     fn find_upward(&self, particle: usize, found: &mut Vec<u32>) {
         found.clear();
         let position = &self.positions[particle];
-        for index in &self.indices[usize::from(self.level_of[particle])..] {
+        let level = usize::from(self.level_of[particle]);
+        let indices = match self.parts.part_of(particle) {
+            Part::Owned => &self.all[level..],
+            Part::Copy => &self.all[level + 1..],
+            Part::Other => &self.mobile[level..],
+        };
+        for index in indices.iter().flatten() {
             index.collect_within(position, found);
         }
-        let varying = self.reach.per_particle().is_some();
-        found.retain(|&other| {
-            other as usize != particle && (!varying || self.is_pair(particle, other as usize))
-        });
-        found.sort_unstable();
+        if self.reach.per_particle().is_some() {
+            found.retain(|&other| self.is_pair(particle, other as usize));
+        }
     }
 
     fn is_pair(&self, i: usize, j: usize) -> bool {
@@ -92,12 +120,14 @@ fn concatenate(tasks: Vec<Rows>) -> NeighborList {
 }
 
 /// Completes a list whose pairs across levels stand only in the row of the lower member.
-fn with_mirrored(upward: &NeighborList, level_of: &[u16]) -> NeighborList {
+fn with_mirrored(upward: &NeighborList, level_of: &[u16], parts: Parts) -> NeighborList {
     let mirrored = mirror(upward, level_of);
     let mut starts = vec![0];
     let mut indices = Vec::with_capacity(upward.pairs() + mirrored.pairs());
     for particle in 0..upward.particles() {
-        merge(upward.row(particle), mirrored.row(particle), &mut indices);
+        if parts.part_of(particle) != Part::Copy {
+            merge(upward.row(particle), mirrored.row(particle), &mut indices);
+        }
         starts.push(indices.len());
     }
     NeighborList::new(starts, indices)
@@ -154,7 +184,7 @@ mod tests {
     fn only_pairs_across_levels_are_mirrored() {
         // 0 and 1 are fine, 2 is coarse; 0 lists 1 and 2, 1 lists 0.
         let upward = NeighborList::new(vec![0, 2, 3, 3], vec![1, 2, 0]);
-        let full = with_mirrored(&upward, &[0, 0, 1]);
+        let full = with_mirrored(&upward, &[0, 0, 1], Parts::all(3));
         assert_eq!(full, NeighborList::new(vec![0, 2, 3, 4], vec![1, 2, 0, 0]));
     }
 }

@@ -4,7 +4,7 @@ use crate::cell_grid::CellGrid;
 use crate::error::{Error, check_positions};
 use crate::kd_tree::KdTree;
 use crate::rows::find_rows;
-use crate::{NeighborList, PairReach};
+use crate::{NeighborList, PairReach, Parts};
 use nalgebra::SVector;
 
 /// How neighbours are found. All methods give the same list, to the last entry, on any number of threads.
@@ -30,12 +30,30 @@ impl SearchMethod {
         positions: &[SVector<f64, D>],
         reach: PairReach<'_>,
     ) -> Result<NeighborList, Error> {
+        self.find_for(positions, reach, Parts::all(positions.len()))
+    }
+
+    /// The neighbours of owned particles, as [`find`](Self::find) gives them; of those behind the copies only the owned ones and the
+    /// copies, and of copies none. Who is far from all owned particles costs next to nothing.
+    ///
+    /// # Errors
+    /// As [`find`](Self::find).
+    ///
+    /// # Panics
+    /// If there are fewer positions than owned particles and copies.
+    pub fn find_for<const D: usize>(
+        self,
+        positions: &[SVector<f64, D>],
+        reach: PairReach<'_>,
+        parts: Parts,
+    ) -> Result<NeighborList, Error> {
         const { assert!(D == 2 || D == 3, "searches are for 2 and 3 dimensions") };
+        assert!(parts.owned + parts.copies <= positions.len(), "parts");
         check_positions(positions)?;
         reach.check(positions.len())?;
         Ok(match self {
-            Self::CellGrid => find_rows::<CellGrid<D>, D>(positions, reach),
-            Self::KdTree => find_rows::<KdTree<D>, D>(positions, reach),
+            Self::CellGrid => find_rows::<CellGrid<D>, D>(positions, reach, parts),
+            Self::KdTree => find_rows::<KdTree<D>, D>(positions, reach, parts),
         })
     }
 }
@@ -51,10 +69,21 @@ mod tests {
         reach: PairReach<'_>,
     ) -> Result<(), TestCaseError> {
         let expected = brute_force(positions, reach);
+        let owned = positions.len() / 2;
+        let parts = Parts { owned, copies: positions.len() / 4 };
+        let mobile = owned + parts.copies;
         for method in [SearchMethod::CellGrid, SearchMethod::KdTree] {
             let list = method.find(positions, reach).unwrap();
+            let part = method.find_for(positions, reach, parts).unwrap();
             for index in 0..positions.len() {
-                prop_assert_eq!(list.row(index), expected[index].as_slice(), "{:?} row {}", method, index);
+                let row = expected[index].as_slice();
+                prop_assert_eq!(list.row(index), row, "{:?} row {}", method, index);
+                let needed = match index {
+                    _ if index < owned => row,
+                    _ if index < mobile => &[],
+                    _ => &row[..row.partition_point(|&other| (other as usize) < mobile)],
+                };
+                prop_assert_eq!(part.row(index), needed, "{:?} row {} of {:?}", method, index, parts);
             }
         }
         Ok(())

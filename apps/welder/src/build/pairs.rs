@@ -5,7 +5,7 @@ use crate::case::scene::{Face, Faces, Weights};
 use crate::model::ModelError;
 use nalgebra::Vector3;
 use sph_kernel::{Kernel, KernelKind};
-use sph_neighbors::{NeighborList, PairReach, SearchMethod};
+use sph_neighbors::{NeighborList, PairReach, Parts, SearchMethod};
 use sph_thermal::conduction::{ConductionRows, FitReport, Images, PairTable, Planes};
 
 /// Below this ratio of smoothing length to spacing, a pair of unlike sizes takes the larger one's length: with the mean
@@ -116,7 +116,8 @@ impl Neighborhood {
         let mut reach: Vec<f64> = spacings.iter().map(|spacing| support * spacing).collect();
         reach.extend(images.source.iter().map(|&source| support * spacings[source as usize]));
         let rule = if ratio < NARROW { PairReach::Maximum(&reach) } else { PairReach::Mean(&reach) };
-        let list = SearchMethod::default().find(&positions, rule)?;
+        let parts = Parts { owned: members.len(), copies: images.len() };
+        let list = SearchMethod::default().find_for(&positions, rule, parts)?;
         Ok(Self { positions, list, images, ratio })
     }
 

@@ -8,7 +8,7 @@ use crate::build::{Members, Workpiece, planes};
 use crate::case::scene::Faces;
 use crate::particles::bounding_box;
 use nalgebra::{SMatrix, SVector, Vector3};
-use sph_neighbors::{PairReach, SearchMethod};
+use sph_neighbors::{PairReach, Parts, SearchMethod};
 use sph_thermal::conduction::Images;
 
 /// Radius within which particles speak for a node, in spacings.
@@ -98,7 +98,9 @@ fn scattered(workpiece: &Workpiece, faces: &Faces) -> Sampler {
     let planes = planes(workpiece.low, workpiece.high, faces);
     let images = Images::new(&everything[open.len()..], &reach, &planes);
     everything.extend_from_slice(&images.position);
-    let list = SearchMethod::default().find(&everything, PairReach::Uniform(radius));
+    // Of particles and images, who are near which node is all that is asked.
+    let parts = Parts { owned: open.len(), copies: everything.len() - open.len() };
+    let list = SearchMethod::default().find_for(&everything, PairReach::Uniform(radius), parts);
     let list = list.expect("positions of a built workpiece are finite");
     let source =
         |k: usize| near.indices()[if k < near.len() { k } else { images.source[k - near.len()] as usize }];

@@ -4,17 +4,18 @@ use super::{
     PlaneProfile, curvature, is_surface, may_be_surface, plane_of_surface, smoothed_curvature,
     smoothed_normal, unit_or_zero,
 };
-use crate::sweep::{FluidFields, copy_images};
+use crate::sweep::{Buffers, FluidFields, copy_images};
 use nalgebra::SVector;
 use rayon::prelude::*;
 use sph_kernel::operators::{colour_gradient, summation};
-use sph_kernel::{Row, RowBuffer, ScaledKernel};
+use sph_kernel::{Row, ScaledKernel};
 
 /// Columns of the surface; all but the gradients are of use near it only. Walls have no entries but zeros and `false`: they
 /// count in the colour, and the band is one of fluid.
 #[derive(Clone, Debug)]
 pub struct SurfaceBand<const D: usize> {
     kernel: ScaledKernel<D>,
+    buffers: Buffers<D>,
     profile: PlaneProfile,
     /// grad C \[1/m\], pointing inwards.
     gradients: Vec<SVector<f64, D>>,
@@ -37,6 +38,7 @@ impl<const D: usize> SurfaceBand<D> {
         Self {
             profile: PlaneProfile::new(&kernel),
             kernel,
+            buffers: Buffers::default(),
             gradients: Vec::new(),
             colour_depths: Vec::new(),
             offset_depths: Vec::new(),
@@ -104,44 +106,50 @@ impl<const D: usize> SurfaceBand<D> {
     }
 
     fn measure_colour(&mut self, fields: &FluidFields<'_, D>, volumes: &[f64], fluid: usize) {
-        let (kernel, profile) = (&self.kernel, &self.profile);
+        let (kernel, buffers, profile) = (&self.kernel, &self.buffers, &self.profile);
         let central = kernel.value(0.0);
         let written = self.gradients[..fluid]
             .par_iter_mut()
             .zip(self.colour_depths[..fluid].par_iter_mut())
             .zip(self.offset_depths[..fluid].par_iter_mut());
-        written.enumerate().for_each_init(RowBuffer::default, |buffer, (i, ((gradient, colour), offset))| {
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            *gradient = colour_gradient(&row, volumes);
-            if may_be_surface(gradient, kernel.smoothing_length()) {
-                *colour = profile.depth_of_colour(summation(&row, volumes, central));
-                *offset = profile.depth_of_offset(centroid(&row, central).norm());
-            }
-        });
+        written.enumerate().for_each_init(
+            || buffers.take(),
+            |buffer, (i, ((gradient, colour), offset))| {
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+                *gradient = colour_gradient(&row, volumes);
+                if may_be_surface(gradient, kernel.smoothing_length()) {
+                    *colour = profile.depth_of_colour(summation(&row, volumes, central));
+                    *offset = profile.depth_of_offset(centroid(&row, central).norm());
+                }
+            },
+        );
         fields.copy_vectors(&mut self.gradients, fluid);
         copy_images(&mut self.colour_depths, fluid, fields.copies);
         copy_images(&mut self.offset_depths, fluid, fields.copies);
     }
 
     fn mark(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
-        let Self { kernel, gradients, flags, .. } = self;
+        let Self { kernel, buffers, gradients, flags, .. } = self;
         let mobile = fluid + fields.copies.len();
         gradients[mobile..].fill(SVector::zeros());
-        flags[..fluid].par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, flag)| {
-            let length = kernel.smoothing_length();
-            if may_be_surface(&gradients[i], length) {
-                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-                *flag = is_surface(&row, gradients, length);
-            }
-        });
+        flags[..fluid].par_iter_mut().enumerate().for_each_init(
+            || buffers.take(),
+            |buffer, (i, flag)| {
+                let length = kernel.smoothing_length();
+                if may_be_surface(&gradients[i], length) {
+                    let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+                    *flag = is_surface(&row, gradients, length);
+                }
+            },
+        );
         copy_images(flags, fluid, fields.copies);
     }
 
     fn smooth_normals(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
-        let Self { kernel, gradients, flags, normals, .. } = self;
+        let Self { kernel, buffers, gradients, flags, normals, .. } = self;
         let central = kernel.value(0.0);
         normals[..fluid].par_iter_mut().enumerate().for_each_init(
-            RowBuffer::default,
+            || buffers.take(),
             |buffer, (i, normal)| {
                 *normal = if flags[i] {
                     let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
@@ -155,16 +163,19 @@ impl<const D: usize> SurfaceBand<D> {
     }
 
     fn find_planes(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
-        let Self { kernel, gradients, flags, normals, offset_depths, planes, .. } = self;
+        let Self { kernel, buffers, gradients, flags, normals, offset_depths, planes, .. } = self;
         let central = kernel.value(0.0);
-        planes[..fluid].par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, plane)| {
-            *plane = (SVector::zeros(), f64::INFINITY);
-            if near_band(fields, flags, i) {
-                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-                let found = plane_of_surface(&row, gradients, normals, offset_depths, flags, central);
-                *plane = found.unwrap_or(*plane);
-            }
-        });
+        planes[..fluid].par_iter_mut().enumerate().for_each_init(
+            || buffers.take(),
+            |buffer, (i, plane)| {
+                *plane = (SVector::zeros(), f64::INFINITY);
+                if near_band(fields, flags, i) {
+                    let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+                    let found = plane_of_surface(&row, gradients, normals, offset_depths, flags, central);
+                    *plane = found.unwrap_or(*plane);
+                }
+            },
+        );
         copy_images(planes, fluid, fields.copies);
         for ((normal, _), mirror) in planes[fluid..].iter_mut().zip(fields.mirrors) {
             normal.component_mul_assign(&SVector::from(*mirror));
@@ -172,27 +183,43 @@ impl<const D: usize> SurfaceBand<D> {
     }
 
     fn measure_curvature(&mut self, fields: &FluidFields<'_, D>, volumes: &[f64], fluid: usize) {
-        let Self { kernel, gradients, flags, normals, colour_depths, raw_curvatures, curvatures, .. } = self;
+        let Self {
+            kernel,
+            buffers,
+            gradients,
+            flags,
+            normals,
+            colour_depths,
+            raw_curvatures,
+            curvatures,
+            ..
+        } = self;
         let raw = raw_curvatures[..fluid].par_iter_mut().enumerate();
-        raw.for_each_init(RowBuffer::default, |buffer, (i, kappa)| {
-            *kappa = 0.0;
-            if flags[i] {
-                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-                let largest = volumes[i].powf(-1.0 / D as f64);
-                *kappa = curvature(&row, volumes, gradients, normals, colour_depths, flags, largest);
-            }
-        });
+        raw.for_each_init(
+            || buffers.take(),
+            |buffer, (i, kappa)| {
+                *kappa = 0.0;
+                if flags[i] {
+                    let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+                    let largest = volumes[i].powf(-1.0 / D as f64);
+                    *kappa = curvature(&row, volumes, gradients, normals, colour_depths, flags, largest);
+                }
+            },
+        );
         copy_images(raw_curvatures, fluid, fields.copies);
         let central = kernel.value(0.0);
         let smoothed = curvatures[..fluid].par_iter_mut().enumerate();
-        smoothed.for_each_init(RowBuffer::default, |buffer, (i, kappa)| {
-            *kappa = 0.0;
-            if near_band(fields, flags, i) {
-                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-                let mean = smoothed_curvature(&row, volumes, gradients, raw_curvatures, flags, central);
-                *kappa = mean.unwrap_or(0.0);
-            }
-        });
+        smoothed.for_each_init(
+            || buffers.take(),
+            |buffer, (i, kappa)| {
+                *kappa = 0.0;
+                if near_band(fields, flags, i) {
+                    let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+                    let mean = smoothed_curvature(&row, volumes, gradients, raw_curvatures, flags, central);
+                    *kappa = mean.unwrap_or(0.0);
+                }
+            },
+        );
         copy_images(curvatures, fluid, fields.copies);
     }
 }

@@ -7,8 +7,8 @@ use crate::{
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
+use sph_kernel::Row;
 use sph_kernel::operators::{gradient, moment, regularised_inverse};
-use sph_kernel::{Row, RowBuffer};
 
 impl<const D: usize> FluidSweep<D> {
     /// Third pass, over the surface only: tension and Marangoni force.
@@ -28,16 +28,19 @@ impl<const D: usize> FluidSweep<D> {
         let this = &*self;
         let kernel = &this.controls.kernel;
         let written = (accelerations, &mut tension, &mut marangoni).into_par_iter().enumerate();
-        written.for_each_init(RowBuffer::default, |buffer, (i, (sum, tension, marangoni))| {
-            (*tension, *marangoni) = (SVector::zeros(), SVector::zeros());
-            if !this.feels_surface(fields, i) {
-                return;
-            }
-            let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
-            let [pull, driving] = this.surface_forces(&row);
-            (*tension, *marangoni) = (pull / densities[i], driving);
-            *sum += *tension + driving / densities[i];
-        });
+        written.for_each_init(
+            || this.buffers.take(),
+            |buffer, (i, (sum, tension, marangoni))| {
+                (*tension, *marangoni) = (SVector::zeros(), SVector::zeros());
+                if !this.feels_surface(fields, i) {
+                    return;
+                }
+                let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
+                let [pull, driving] = this.surface_forces(&row);
+                (*tension, *marangoni) = (pull / densities[i], driving);
+                *sum += *tension + driving / densities[i];
+            },
+        );
         (self.tension, self.marangoni) = (tension, marangoni);
     }
 

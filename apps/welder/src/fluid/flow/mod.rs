@@ -15,7 +15,7 @@ use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 use sph_fluid::{FluidFields, FluidSweep, Powers};
 use sph_integrate::{StepLimit, smallest};
-use sph_neighbors::{NeighborList, PairReach, SearchMethod};
+use sph_neighbors::{NeighborList, PairReach, Parts, SearchMethod};
 use std::collections::BTreeMap;
 
 /// Share of the spacing that a particle may move in one step.
@@ -153,8 +153,9 @@ impl<const D: usize> FluidFlow<D> {
         self.densities.resize(self.columns.positions.len(), self.model.density());
         self.move_copies();
         let reach = self.model.controls.kernel.support_radius() + SKIN * self.model.spacing();
+        let parts = Parts { owned: self.fluid, copies: self.columns.copies.len() };
         self.columns.list =
-            SearchMethod::default().find(&self.columns.positions, PairReach::Uniform(reach))?;
+            SearchMethod::default().find_for(&self.columns.positions, PairReach::Uniform(reach), parts)?;
         self.listed.clear();
         self.listed.extend_from_slice(&self.columns.positions[..self.fluid]);
         self.sweep = self.fresh.clone();

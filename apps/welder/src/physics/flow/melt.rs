@@ -6,7 +6,7 @@ use crate::particles::Particles;
 use crate::physics::Work;
 use nalgebra::Vector3;
 use sph_fluid::{FluidControls, FluidFields, FluidSweep, Tait};
-use sph_neighbors::{NeighborList, PairReach, SearchMethod};
+use sph_neighbors::{NeighborList, PairReach, Parts, SearchMethod};
 use sph_thermal::conduction::{Images, Planes};
 use std::collections::HashSet;
 
@@ -296,7 +296,11 @@ impl Melt {
         self.move_images();
         // Positions that are no numbers any more find nobody; the run is stopped after this step.
         SearchMethod::default()
-            .find(&self.positions, PairReach::Uniform(reach))
+            .find_for(
+                &self.positions,
+                PairReach::Uniform(reach),
+                Parts { owned: fluid, copies: self.images.len() },
+            )
             .unwrap_or_else(|_| NeighborList::default())
     }
 
