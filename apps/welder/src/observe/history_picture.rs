@@ -1,7 +1,7 @@
 //! Draws the history over time, in panels that each kind of scene names; of a weld peak temperature above, size of the pool below.
 
 use super::canvas::{Area, Canvas, DrawError, FONT};
-use super::labels::{KeyEntry, LARGE, MEDIUM, SMALL, draw_key, tidy, write_text};
+use super::labels::{Handy, KeyEntry, LARGE, MEDIUM, SMALL, draw_key, handy, tick, write_text};
 use super::{HistoryRow, ObserveError};
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::style::{BLACK, Color, RGBColor, WHITE};
@@ -16,6 +16,8 @@ const KEY: u32 = 34;
 const LEFT: u32 = 94;
 const EDGE: u32 = 12;
 const LINE: f64 = 2.2;
+/// What the axis of values is longer by than they are.
+const ROOM: f64 = 1.06;
 pub(super) const RED: RGBColor = RGBColor(200, 40, 40);
 pub(super) const BLUE: RGBColor = RGBColor(30, 100, 200);
 pub(super) const GREEN: RGBColor = RGBColor(30, 140, 70);
@@ -28,7 +30,7 @@ pub(super) struct Curve<Row> {
     pub value: fn(&Row) -> f64,
 }
 
-/// One chart of the picture: what its upward axis shows, and its lines.
+/// One chart of the picture: what its upward axis shows with its SI unit, and its lines.
 pub(super) struct Panel<Row> {
     pub label: &'static str,
     pub curves: Vec<Curve<Row>>,
@@ -73,12 +75,12 @@ impl Charted for HistoryRow {
     fn panels() -> Vec<Panel<Self>> {
         let peak =
             Curve { name: "peak temperature", colour: RED, value: |row: &Self| row.peak_temperature_k };
-        let width = Curve { name: "width", colour: BLUE, value: |row: &Self| 1e3 * row.pool_width_m };
-        let length = Curve { name: "length", colour: GREEN, value: |row: &Self| 1e3 * row.pool_length_m };
-        let depth = Curve { name: "depth", colour: ORANGE, value: |row: &Self| 1e3 * row.pool_depth_m };
+        let width = Curve { name: "width", colour: BLUE, value: |row: &Self| row.pool_width_m };
+        let length = Curve { name: "length", colour: GREEN, value: |row: &Self| row.pool_length_m };
+        let depth = Curve { name: "depth", colour: ORANGE, value: |row: &Self| row.pool_depth_m };
         vec![
             Panel { label: "temperature, K", curves: vec![peak] },
-            Panel { label: "melt pool, mm", curves: vec![width, length, depth] },
+            Panel { label: "melt pool, m", curves: vec![width, length, depth] },
         ]
     }
 }
@@ -92,10 +94,13 @@ fn draw_panel<Row: Charted>(
     let last_s = rows.last().map_or(0.0, Row::time_s);
     let (unit, per_second) = time_unit(last_s);
     let end = if last_s > 0.0 { last_s * per_second } else { 1.0 };
-    let high = 1.06 * highest(panel, rows);
-    let (across, down) = canvas.draw(|area| draw_axes(area, panel, unit, (end, high), top))?;
+    let Range { start: low, end: high } = value_range(panel, rows);
+    let Handy { name, factor } = handy(panel.label, high.max(-low));
+    let labels = [format!("time, {unit}"), name];
+    let ends = [0.0..end, factor * low..factor * high];
+    let (across, down) = canvas.draw(|area| draw_axes(area, labels, ends, top))?;
     let place = |row: &Row, value: f64| {
-        let (right, up) = (row.time_s() * per_second / end, value / high);
+        let (right, up) = (row.time_s() * per_second / end, (value - low) / (high - low));
         let x = f64::from(across.start) + right * (across.len() - 1) as f64;
         (x, f64::from(down.end) - up * down.len() as f64)
     };
@@ -114,41 +119,43 @@ fn draw_panel<Row: Charted>(
 }
 
 /// Draws the axes of a panel, and tells where its lines go.
-fn draw_axes<Row>(
+fn draw_axes(
     area: &Area,
-    panel: &Panel<Row>,
-    unit: &str,
-    (end, high): (f64, f64),
+    [x_label, y_label]: [String; 2],
+    [x, y]: [Range<f64>; 2],
     top: u32,
 ) -> Result<(Range<i32>, Range<i32>), DrawError> {
+    let (across, up) = (x.end - x.start, y.end - y.start);
     let mut chart = ChartBuilder::on(&area.clone().shrink((0, top), (WIDTH, PANEL)))
         .margin_left(EDGE)
         .margin_right(2 * EDGE)
         .margin_top(KEY)
         .set_label_area_size(LabelAreaPosition::Left, LEFT - EDGE)
         .set_label_area_size(LabelAreaPosition::Bottom, 58)
-        .build_cartesian_2d(0.0..end, 0.0..high)?;
+        .build_cartesian_2d(x, y)?;
     chart
         .configure_mesh()
         .light_line_style(WHITE)
         .bold_line_style(BLACK.mix(0.12))
-        .x_desc(format!("time, {unit}"))
-        .y_desc(panel.label)
+        .x_desc(x_label)
+        .y_desc(y_label)
         .x_labels(12)
         .y_labels(7)
-        .x_label_formatter(&|value| tidy(*value))
-        .y_label_formatter(&|value| tidy(*value))
+        .x_label_formatter(&|value| tick(*value, across))
+        .y_label_formatter(&|value| tick(*value, up))
         .label_style((FONT, SMALL))
         .axis_desc_style((FONT, MEDIUM))
         .draw()?;
     Ok(chart.plotting_area().get_pixel_range())
 }
 
-/// The highest value in a chart; a chart of zeros still needs a range.
-fn highest<Row>(panel: &Panel<Row>, rows: &[Row]) -> f64 {
+/// The range of a chart: zero and every finite value, with some room; a chart of zeros still needs one.
+fn value_range<Row>(panel: &Panel<Row>, rows: &[Row]) -> Range<f64> {
     let values = panel.curves.iter().flat_map(|curve| rows.iter().map(curve.value));
-    let highest = values.filter(|value| value.is_finite()).fold(0.0, f64::max);
-    if highest > 0.0 { highest } else { 1.0 }
+    let finite = values.filter(|value| value.is_finite());
+    let (low, high) =
+        finite.fold((0.0, 0.0), |(low, high): (f64, f64), value| (low.min(value), high.max(value)));
+    if high > low { ROOM * low..ROOM * high } else { 0.0..ROOM }
 }
 
 /// The unit of time that gives handy numbers, and how many of it are in a second.
@@ -184,13 +191,13 @@ mod tests {
     fn the_axis_holds_every_finite_value() {
         let panels = HistoryRow::panels();
         let [temperature, pool] = panels.as_slice() else { panic!("two panels") };
-        assert_eq!(
-            highest(temperature, &rows()),
-            rows().iter().map(|row| row.peak_temperature_k).fold(0.0, f64::max)
-        );
+        let hottest = rows().iter().map(|row| row.peak_temperature_k).fold(0.0, f64::max);
+        assert_eq!(value_range(temperature, &rows()), 0.0..ROOM * hottest);
         let longest = rows().iter().map(|row| row.pool_length_m).fold(0.0, f64::max);
-        assert_eq!(highest(pool, &rows()), 1e3 * longest);
-        assert_eq!(highest(pool, &[]), 1.0);
+        assert_eq!(value_range(pool, &rows()), 0.0..ROOM * longest);
+        assert_eq!(value_range(pool, &[]), 0.0..ROOM);
+        let cooled = HistoryRow { peak_temperature_k: -3.0, ..HistoryRow::default() };
+        assert_eq!(value_range(temperature, &[cooled]), -3.0 * ROOM..0.0);
     }
 
     #[test]

@@ -3,7 +3,9 @@
 use super::canvas::{Area, Canvas, DrawError, FONT};
 use super::colour_field::{Window, fill_bar, fill_field};
 use super::contour::contour;
-use super::labels::{KeyEntry, LARGE, MEDIUM, SMALL, draw_key, text_width, tidy, with_halo, write_text};
+use super::labels::{
+    Handy, KeyEntry, LARGE, MEDIUM, SMALL, draw_key, handy, text_width, tick, with_halo, write_text,
+};
 use super::{ObserveError, SectionGrid};
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::style::RGBColor;
@@ -20,6 +22,7 @@ const LEFT: u32 = 86;
 const FOOT: u32 = 58;
 const RIGHT: u32 = 24;
 const BAR: u32 = 96;
+/// Room for labels of 62 pixels and their ticks.
 const LABELS_OF_BAR: u32 = 70;
 const EDGE: u32 = 12;
 /// The width that the key needs, should the field be narrow.
@@ -53,7 +56,8 @@ fn painted(grid: &SectionGrid) -> Result<Canvas, DrawError> {
     let own_unit = grid.quantity.rsplit(", ").next().unwrap_or_default();
     let unit = grid.levels_of.as_ref().map_or(own_unit, |(_, unit)| unit);
     let entry = |(index, (level, name)): (usize, &(f64, &str))| KeyEntry {
-        name: format!("{name} {} {unit}", tidy(*level)),
+        // Hundredths are enough for the temperatures that levels are of.
+        name: format!("{name} {} {unit}", tick(*level, 1.0)),
         strokes: with_halo(LINES[index % LINES.len()]),
     };
     let entries: Vec<_> = grid.levels.iter().enumerate().map(entry).collect();
@@ -77,6 +81,7 @@ fn draw_frames(
 ) -> Result<(Window, Window), DrawError> {
     write_text(area, &grid.title, (LEFT as i32, 14), LARGE)?;
     let (x_mm, y_mm) = (millimetres(&grid.x_m), millimetres(&grid.y_m));
+    let (across_mm, up_mm) = (x_mm.end - x_mm.start, y_mm.end - y_mm.start);
     let size = (LEFT + field.0, field.1 + FOOT);
     let mut chart = ChartBuilder::on(&area.clone().shrink((0, HEAD), size))
         .margin_left(EDGE)
@@ -90,27 +95,29 @@ fn draw_frames(
         .y_desc(format!("{}, mm", grid.y_label))
         .x_labels((field.0 / 70) as usize)
         .y_labels((field.1 / 45) as usize)
-        .x_label_formatter(&|value| tidy(*value))
-        .y_label_formatter(&|value| tidy(*value))
+        .x_label_formatter(&|value| tick(*value, across_mm))
+        .y_label_formatter(&|value| tick(*value, up_mm))
         .label_style((FONT, SMALL))
         .axis_desc_style((FONT, MEDIUM))
         .draw()?;
     let bar_at = (LEFT + field.0 + RIGHT, HEAD);
+    let Handy { name, factor } = handy(grid.quantity, range.start.abs().max(range.end.abs()));
+    let (low, high) = (factor * range.start, factor * range.end);
     let mut bar = ChartBuilder::on(&area.clone().shrink(bar_at, (BAR, field.1)))
         .set_label_area_size(LabelAreaPosition::Right, LABELS_OF_BAR)
-        .build_cartesian_2d(0.0..1.0, range)?;
+        .build_cartesian_2d(0.0..1.0, low..high)?;
     bar.configure_mesh()
         .disable_mesh()
         .disable_x_axis()
         .y_labels((field.1 / 45) as usize)
-        .y_label_formatter(&|value| tidy(*value))
+        .y_label_formatter(&|value| tick(*value, high - low))
         .label_style((FONT, SMALL))
         .set_tick_mark_size(LabelAreaPosition::Right, 8)
         .draw()?;
     // Below the bar, and inside the picture however long it is.
-    let right = area.dim_in_pixel().0 as i32 - text_width(grid.quantity, SMALL)? as i32 - EDGE as i32;
+    let right = area.dim_in_pixel().0 as i32 - text_width(&name, SMALL)? as i32 - EDGE as i32;
     let label_at = (right.min(bar_at.0 as i32 - 16), (HEAD + field.1) as i32 + 24);
-    write_text(area, grid.quantity, label_at, SMALL)?;
+    write_text(area, &name, label_at, SMALL)?;
     Ok((chart.plotting_area().get_pixel_range(), bar.plotting_area().get_pixel_range()))
 }
 
@@ -135,7 +142,10 @@ fn value_range(values: &[f64]) -> Range<f64> {
     match high - low {
         spread if spread >= 1e-3 * high.abs() && spread > 0.0 => low..high,
         // One value everywhere, or no part at all: a bar needs a range all the same.
-        spread if spread >= 0.0 => low - 0.5..high + 0.5,
+        spread if spread >= 0.0 => {
+            let half = if high == 0.0 { 0.5 } else { 1e-3 * high.abs() };
+            low - half..high + half
+        }
         _ => 0.0..1.0,
     }
 }
@@ -163,7 +173,8 @@ mod tests {
     #[test]
     fn the_range_holds_for_a_cold_part_and_for_none() {
         assert_eq!(value_range(&[300.0, f64::NAN, 900.0]), 300.0..900.0);
-        assert_eq!(value_range(&[300.0, 300.0]), 299.5..300.5);
+        assert_eq!(value_range(&[300.0, 300.0]), 299.7..300.3);
+        assert_eq!(value_range(&[0.0, 0.0]), -0.5..0.5);
         assert_eq!(value_range(&[f64::NAN]), 0.0..1.0);
     }
 

@@ -70,16 +70,13 @@ impl Charted for SolidRow {
     }
 
     fn panels() -> Vec<Panel<Self>> {
-        let stress = Curve {
-            name: "largest von Mises stress",
-            colour: RED,
-            value: |row: &Self| 1e-6 * row.max_von_mises_pa,
-        };
+        let stress =
+            Curve { name: "largest von Mises stress", colour: RED, value: |row: &Self| row.max_von_mises_pa };
         let kinetic = Curve { name: "motion", colour: BLUE, value: |row: &Self| row.kinetic_j };
         let elastic = Curve { name: "elastic", colour: GREEN, value: |row: &Self| row.elastic_j };
         let lost = Curve { name: "lost", colour: ORANGE, value: |row: &Self| row.lost_j };
         vec![
-            Panel { label: "stress, MPa", curves: vec![stress] },
+            Panel { label: "stress, Pa", curves: vec![stress] },
             Panel { label: "energy, J", curves: vec![kinetic, elastic, lost] },
         ]
     }

@@ -90,18 +90,17 @@ fn stresses(simulation: &Simulation, stem: &str) -> Vec<(String, SectionGrid)> {
     let columns = simulation.columns();
     let stress = columns.iter().find(|(name, _)| *name == "von_mises_pa");
     let Some((_, Column::Scalar(stress))) = stress else { return Vec::new() };
-    let megapascals: Vec<f64> = stress.iter().map(|stress| 1e-6 * stress).collect();
     let place = cut(simulation);
     let when = format!("t = {:.3} ms", 1e3 * simulation.time());
     let section = |(along, x_label): (usize, &'static str)| {
-        let map = simulation.gauge().section_of(&megapascals, 1 - along, place[1 - along]);
+        let map = simulation.gauge().section_of(stress, 1 - along, place[1 - along]);
         let grid = SectionGrid {
             title: format!("Section along {x_label}, {when}"),
             x_label,
             y_label: "z",
             x_m: map.x,
             y_m: map.y,
-            quantity: "von Mises stress, MPa",
+            quantity: "von Mises stress, Pa",
             value: map.value,
             levels: Vec::new(),
             levels_of: None,
@@ -151,12 +150,12 @@ fn flows(simulation: &Simulation) -> Vec<(String, SectionGrid)> {
     };
     pictures.push(("speed_top".into(), from_above("Melt from above", "speed, m/s", &speed, [false; 2])));
     for (axis, (name, quantity)) in
-        [("x", "force along x, uN"), ("y", "force along y, uN"), ("z", "force along z, uN")]
+        [("x", "force along x, N"), ("y", "force along y, N"), ("z", "force along z, N")]
             .into_iter()
             .enumerate()
     {
-        let micronewtons: Vec<f64> = forces.iter().map(|force| 1e6 * force[axis]).collect();
-        let picture = from_above("Marangoni force", quantity, &micronewtons, [axis == 0, axis == 1]);
+        let along: Vec<f64> = forces.iter().map(|force| force[axis]).collect();
+        let picture = from_above("Marangoni force", quantity, &along, [axis == 0, axis == 1]);
         pictures.push((format!("marangoni_{name}"), picture));
     }
     pictures

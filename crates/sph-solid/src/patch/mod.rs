@@ -1,5 +1,6 @@
 //! Bodies that are stepped by themselves: all columns of one body with the sweep that drives it.
 
+mod drive;
 mod meeting;
 mod total;
 mod updated;

@@ -1,5 +1,6 @@
 //! A patch in the total-Lagrangian form.
 
+use super::drive::{Drive, HalfKick};
 use super::meeting::Meeting;
 use super::{FindNeighbors, START_TEMPERATURE, kick, kinetic_energy, pieces};
 use crate::error::{Error, require};
@@ -55,11 +56,14 @@ pub struct SolidPatch<const D: usize> {
     pub free: Vec<SVector<f64, D>>,
     /// Acceleration of all particles \[m/s^2\], as of weight.
     pub body_acceleration: SVector<f64, D>,
+    /// Time since the start \[s\], which a drive is told.
+    pub time: f64,
     positions: Vec<SVector<f64, D>>,
     body: TotalLagrangian<D>,
     wave_speed: f64,
     contact: Contact,
     meeting: Option<Meeting<D>>,
+    drive: Drive<D>,
     /// Where particles are in the last evaluation.
     places: Vec<SVector<f64, D>>,
     accelerations: Vec<SVector<f64, D>>,
@@ -88,6 +92,8 @@ pub struct MechanicalLedger {
     pub damped: f64,
     /// What the body acceleration brought.
     pub weight: f64,
+    /// Work of what moves particles ([`SolidPatch::drive`]).
+    pub driven: f64,
     /// What [`SolidPatch::set_temperatures`] brought: elastic energy of the same shape at another temperature.
     pub warmed: f64,
 }
@@ -97,7 +103,7 @@ impl MechanicalLedger {
     #[must_use]
     pub fn balance(&self) -> f64 {
         let stored = self.kinetic + self.elastic + self.hourglass + self.contact;
-        stored + self.plastic + self.viscous + self.damped - self.weight - self.warmed
+        stored + self.plastic + self.viscous + self.damped - self.weight - self.driven - self.warmed
     }
 }
 
@@ -142,11 +148,13 @@ impl<const D: usize> SolidPatch<D> {
             equivalents: vec![0.0; particles],
             free: vec![SVector::repeat(1.0); particles],
             body_acceleration: SVector::zeros(),
+            time: 0.0,
             accelerations: vec![SVector::zeros(); particles],
             visits: 2 * list_neighbors.len() as u64,
             pair_visits: 0,
             ledger: MechanicalLedger::default(),
             meeting: None,
+            drive: Drive::none(),
             places: positions.clone(),
             temperatures,
             wave_speed,
@@ -217,6 +225,18 @@ impl<const D: usize> SolidPatch<D> {
         }
     }
 
+    /// From now on holds all components of `members` and moves them with the `velocity` \[m/s\] of a particle, by its index,
+    /// at a time \[s\]; components that [`SolidPatch::free`] frees again move as forces say. A later call takes the place of
+    /// this one.
+    pub fn drive(
+        &mut self,
+        members: Vec<usize>,
+        velocity: impl Fn(usize, f64) -> SVector<f64, D> + Send + Sync + 'static,
+    ) {
+        members.iter().for_each(|&i| self.free[i] = SVector::zeros());
+        self.drive.set(members, velocity);
+    }
+
     /// From now on faces that meet push each other apart ([`Contact`]): those of separate bodies, and those of one body that
     /// are more than four spacings from each other in the reference.
     pub fn let_meet(&mut self, find: FindNeighbors<D>) {
@@ -245,14 +265,22 @@ impl<const D: usize> SolidPatch<D> {
 
     /// One kick-drift-kick step \[s\].
     pub fn step(&mut self, dt: f64) {
-        kick(&mut self.velocities, &self.accelerations, &self.free, 0.5 * dt);
+        let middle = self.time + 0.5 * dt;
+        self.half_kick(&HalfKick { to: middle, middle, dt: 0.5 * dt });
         for (displacement, velocity) in self.displacements.iter_mut().zip(&self.velocities) {
             *displacement += velocity * dt;
         }
         self.ledger.weight += dt * self.momentum().dot(&self.body_acceleration);
         self.evaluate();
-        kick(&mut self.velocities, &self.accelerations, &self.free, 0.5 * dt);
+        self.time += dt;
+        self.half_kick(&HalfKick { to: self.time, middle, dt: 0.5 * dt });
         self.ledger.viscous += dt * self.body.viscous_power(&self.velocities);
+    }
+
+    fn half_kick(&mut self, half: &HalfKick) {
+        let Self { body, velocities, accelerations, free, drive, .. } = self;
+        kick(velocities, accelerations, free, half.dt);
+        drive.kick(body.masses(), velocities, accelerations, free, half);
     }
 
     fn momentum(&self) -> SVector<f64, D> {
@@ -279,8 +307,10 @@ impl<const D: usize> SolidPatch<D> {
         for _ in 0..steps {
             self.step(dt);
             let moving = kinetic_energy(self.body.masses(), &self.velocities);
-            self.velocities.iter_mut().for_each(|velocity| *velocity *= kept);
-            self.ledger.damped += moving * (1.0 - kept * kept);
+            for (velocity, free) in self.velocities.iter_mut().zip(&self.free) {
+                *velocity -= velocity.component_mul(free) * (1.0 - kept);
+            }
+            self.ledger.damped += moving - kinetic_energy(self.body.masses(), &self.velocities);
         }
     }
 
@@ -307,7 +337,7 @@ impl<const D: usize> SolidPatch<D> {
     pub fn ledger(&self) -> MechanicalLedger {
         let [kinetic, elastic, hourglass] = self.energies();
         let contact = self.meeting.as_ref().map_or(0.0, |meeting| meeting.energy(&self.places));
-        MechanicalLedger { kinetic, elastic, hourglass, contact, ..self.ledger }
+        MechanicalLedger { kinetic, elastic, hourglass, contact, driven: self.drive.work(), ..self.ledger }
     }
 
     /// Heat \[W; W/m in plane strain\] of the present velocities by the Gough-Joule effect, one entry per particle

@@ -1,5 +1,6 @@
 //! A patch in the updated-Lagrangian form, its list made anew as it moves.
 
+use super::drive::{Drive, HalfKick};
 use super::{FindNeighbors, START_TEMPERATURE, kick, kinetic_energy, pieces};
 use crate::{
     Error, Material, SymmetricTensor, UpdatedControls, UpdatedFields, UpdatedLagrangian, UpdatedState,
@@ -29,6 +30,9 @@ pub struct UpdatedPatch<const D: usize> {
     pub equivalents: Vec<f64>,
     /// 1 where a component moves freely, 0 where it is held.
     pub free: Vec<SVector<f64, D>>,
+    /// Time since the start \[s\], which a drive is told.
+    pub time: f64,
+    drive: Drive<D>,
     masses: Vec<f64>,
     body: UpdatedLagrangian<D>,
     controls: UpdatedControls<D>,
@@ -62,6 +66,8 @@ impl<const D: usize> UpdatedPatch<D> {
             deviators: vec![SymmetricTensor::zero(); particles],
             equivalents: vec![0.0; particles],
             free: vec![SVector::repeat(1.0); particles],
+            time: 0.0,
+            drive: Drive::none(),
             masses: vec![density * controls.spacing.powi(D as i32); particles],
             accelerations: vec![SVector::zeros(); particles],
             list: (Vec::new(), Vec::new()),
@@ -104,14 +110,38 @@ impl<const D: usize> UpdatedPatch<D> {
         self.evaluate(dt);
     }
 
+    /// From now on holds and moves particles as [`SolidPatch::drive`](crate::SolidPatch::drive) does.
+    pub fn drive(
+        &mut self,
+        members: Vec<usize>,
+        velocity: impl Fn(usize, f64) -> SVector<f64, D> + Send + Sync + 'static,
+    ) {
+        members.iter().for_each(|&i| self.free[i] = SVector::zeros());
+        self.drive.set(members, velocity);
+    }
+
+    /// Work of what moves particles since the start \[J; J/m in plane strain\].
+    #[must_use]
+    pub fn driven_work(&self) -> f64 {
+        self.drive.work()
+    }
+
     /// One kick-drift-kick step \[s\].
     pub fn step(&mut self, dt: f64) {
-        kick(&mut self.velocities, &self.accelerations, &self.free, 0.5 * dt);
+        let middle = self.time + 0.5 * dt;
+        self.half_kick(&HalfKick { to: middle, middle, dt: 0.5 * dt });
         for (position, velocity) in self.positions.iter_mut().zip(&self.velocities) {
             *position += velocity * dt;
         }
         self.evaluate(dt);
-        kick(&mut self.velocities, &self.accelerations, &self.free, 0.5 * dt);
+        self.time += dt;
+        self.half_kick(&HalfKick { to: self.time, middle, dt: 0.5 * dt });
+    }
+
+    fn half_kick(&mut self, half: &HalfKick) {
+        let Self { masses, velocities, accelerations, free, drive, .. } = self;
+        kick(velocities, accelerations, free, half.dt);
+        drive.kick(masses, velocities, accelerations, free, half);
     }
 
     /// Evaluates and steps `steps` times by `dt` \[s\].

@@ -2,6 +2,7 @@
 
 mod beam;
 mod clamped_plate;
+mod driven;
 mod find;
 mod hard;
 mod hot_spot;
