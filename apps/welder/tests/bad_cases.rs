@@ -77,6 +77,13 @@ fn wrong_flow() {
     assert_refused(code, &message, &["viscosity_pa_s.value", "mPa s (then write 1.3e-3)"]);
     let (code, message) = check(&scene, MATERIAL, &[]);
     assert_refused(code, &message, &["Flow needs viscosity_pa_s of metal", "leave out Flow"]);
+    let expanding = "    volume_expansion_liquid_1_k: (value: 1e-4, source: \"test\"),\n    viscosity_pa_s";
+    let expanding = metal.replace("    viscosity_pa_s", expanding);
+    let (code, message) = check(&scene, &expanding, &["part.regions.0.start_k=1505.0"]);
+    let words = ["part.regions.0.start_k", "6.0 % more volume than room", "up to 1005 K"];
+    assert_refused(code, &message, &words);
+    let (code, message) = check(&scene, &expanding, &[]);
+    assert_eq!(code, Some(0), "{message}");
     let (code, message) = check(SCENE, MATERIAL, &["part.faces.top=Losses(evaporation: true)"]);
     let words =
         ["evaporation needs heat_of_evaporation_j_kg of metal", "molar_mass_kg_mol", "evaporation: false"];

@@ -66,16 +66,19 @@ fn check_inside(findings: &mut Findings, scene: &Scene, index: usize, region: &R
 
 /// Checks the start temperatures of part and regions against their materials.
 pub fn check_start(findings: &mut Findings, scene: &Scene, cards: &[CardSource], region_materials: &[usize]) {
-    check_temperature(findings, "part.start_k", scene.part.start_k, &cards[0]);
+    check_temperature(findings, scene, "part.start_k", scene.part.start_k, &cards[0]);
     for (index, (region, &material)) in scene.part.regions.iter().zip(region_materials).enumerate() {
         let field = format!("part.regions.{index}.start_k");
         if let Some(start_k) = region.start_k {
-            check_temperature(findings, &field, start_k, &cards[material]);
+            check_temperature(findings, scene, &field, start_k, &cards[material]);
         }
     }
 }
 
-fn check_temperature(findings: &mut Findings, field: &str, start_k: f64, card: &CardSource) {
+/// Melt may start with this share more volume than room: it drives itself apart.
+const LARGEST_START_EXPANSION: f64 = 0.01;
+
+fn check_temperature(findings: &mut Findings, scene: &Scene, field: &str, start_k: f64, card: &CardSource) {
     if !findings.within(field, start_k, &TEMPERATURE) {
         return;
     }
@@ -83,5 +86,20 @@ fn check_temperature(findings: &mut Findings, field: &str, start_k: f64, card: &
         let reason = format!("above the boiling temperature of {}", card.name);
         let remedy = format!("accepted: below {} K", number(boiling.value));
         findings.require(start_k < boiling.value, field, &reason, remedy);
+    }
+    if let (Some(expansion), Some(_)) = (&card.card.volume_expansion_liquid_1_k, scene.flow()) {
+        let liquidus_k = card.card.liquidus_k.value;
+        let grown = expansion.value * (start_k - liquidus_k);
+        let reason = format!(
+            "{} would start as melt with {:.1} % more volume than room, and drive itself apart",
+            card.name,
+            100.0 * grown
+        );
+        let highest_k = liquidus_k + LARGEST_START_EXPANSION / expansion.value;
+        let remedy = format!(
+            "accepted with Flow and volume_expansion_liquid_1_k: up to {} K; let the pool melt, or leave the expansion out",
+            number(highest_k)
+        );
+        findings.require(grown <= LARGEST_START_EXPANSION, field, &reason, remedy);
     }
 }
