@@ -188,6 +188,7 @@ pub const SOLID_FIELDS: &[&str] = &[
     "velocity_m_s",
     "displacement_m",
     "von_mises_pa",
+    "principal_stress_pa",
     "pressure_pa",
     "plastic_strain",
     "temperature_rise_k",

@@ -5,7 +5,7 @@ use super::patch::Patch;
 use crate::model::ModelError;
 use crate::observe::{Checkpoint, CheckpointError};
 use crate::particles::bounding_box;
-use crate::physics::{Column, Cost, Failure};
+use crate::physics::{Column, Cost, Failure, principal_extremes};
 use crate::run::StepReport;
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
@@ -21,15 +21,34 @@ const MOST_STEPS: usize = 20;
 /// Bodies that have gained this share of the energy that there was have run away.
 const LARGEST_GIFT: f64 = 0.1;
 
-/// Largest of what was measured over a run.
+/// Largest of what was measured at a time, or over a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct SolidRecords {
     /// Largest speed of a particle \[m/s\].
     pub speed: f64,
     /// Largest von Mises stress \[Pa\].
     pub von_mises: f64,
+    /// Largest and smallest principal stress \[Pa\]; tension is positive.
+    pub principal: [f64; 2],
+    /// Largest displacement from the start \[m\].
+    pub displacement: f64,
     /// Largest accumulated equivalent plastic strain \[-\].
     pub plastic: f64,
+}
+
+impl SolidRecords {
+    /// The largest of both.
+    #[must_use]
+    fn with(&self, other: &Self) -> Self {
+        let ([most, least], [first, last]) = (self.principal, other.principal);
+        Self {
+            speed: self.speed.max(other.speed),
+            von_mises: self.von_mises.max(other.von_mises),
+            principal: [most.max(first), least.min(last)],
+            displacement: self.displacement.max(other.displacement),
+            plastic: self.plastic.max(other.plastic),
+        }
+    }
 }
 
 /// Energies of the bodies \[J; J/m in the plane\].
@@ -204,19 +223,25 @@ impl<const D: usize> SolidBody<D> {
     }
 
     fn record(&mut self) {
-        self.records.speed = self.records.speed.max(self.largest_speed());
-        self.records.von_mises = self.records.von_mises.max(self.largest_von_mises());
-        self.records.plastic = self.patch.equivalents().iter().copied().fold(self.records.plastic, f64::max);
+        self.records = self.records.with(&self.largest());
     }
 
-    /// Speed of the fastest particle \[m/s\].
-    pub fn largest_speed(&self) -> f64 {
-        self.patch.velocities().iter().map(SVector::norm).fold(0.0, f64::max)
+    /// The largest of everything now.
+    pub fn largest(&self) -> SolidRecords {
+        let stresses = self.patch.stresses();
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        SolidRecords {
+            speed: largest(&mut self.patch.velocities().iter().map(SVector::norm)),
+            von_mises: largest(&mut stresses.iter().map(SymmetricTensor::von_mises)),
+            principal: principal_extremes(&stresses),
+            displacement: largest(&mut self.displacements().map(|moved| moved.norm())),
+            plastic: largest(&mut self.patch.equivalents().iter().copied()),
+        }
     }
 
-    /// Largest von Mises stress \[Pa\].
-    pub fn largest_von_mises(&self) -> f64 {
-        self.patch.stresses().iter().map(SymmetricTensor::von_mises).fold(0.0, f64::max)
+    /// Displacements from the start \[m\].
+    fn displacements(&self) -> impl Iterator<Item = SVector<f64, D>> {
+        self.patch.positions().iter().zip(&self.model.positions).map(|(now, then)| now - then)
     }
 
     /// The energy ledger now.
@@ -308,13 +333,16 @@ impl<const D: usize> SolidBody<D> {
 
     /// Columns to be shown, by name with unit.
     pub fn columns(&self) -> Vec<(&'static str, Column<D>)> {
-        let pairs = self.patch.positions().iter().zip(&self.model.positions);
         let stresses = self.patch.stresses();
         let rises = self.patch.temperatures().iter().map(|temperature| temperature - START_TEMPERATURE);
         vec![
             ("velocity_m_s", Column::Vector(self.patch.velocities().to_vec())),
-            ("displacement_m", Column::Vector(pairs.map(|(now, then)| now - then).collect())),
+            ("displacement_m", Column::Vector(self.displacements().collect())),
             ("von_mises_pa", Column::Scalar(stresses.iter().map(SymmetricTensor::von_mises).collect())),
+            (
+                "principal_stress_pa",
+                Column::Triple(stresses.iter().map(SymmetricTensor::principal).collect()),
+            ),
             ("pressure_pa", Column::Scalar(stresses.iter().map(|stress| -stress.trace() / 3.0).collect())),
             ("plastic_strain", Column::Scalar(self.patch.equivalents().to_vec())),
             ("temperature_rise_k", Column::Scalar(rises.collect())),

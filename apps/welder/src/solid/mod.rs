@@ -8,4 +8,4 @@ mod section;
 
 pub use body::{SolidBody, SolidLedger, SolidRecords};
 pub use model::{Numerics, SolidModel};
-pub use section::stress_section;
+pub use section::body_sections;
