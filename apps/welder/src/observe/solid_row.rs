@@ -50,6 +50,8 @@ pub struct SolidRow {
     pub potential_j: f64,
     /// Energy brought since the start by prescribed temperatures.
     pub heated_j: f64,
+    /// Energy brought since the start by what is held and moves.
+    pub driven_j: f64,
     /// Work of yield since the start, plastic strain taken as small.
     pub plastic_j: f64,
     /// Energy taken since the start by damping.

@@ -158,6 +158,8 @@ pub struct SolidEnergy {
     pub potential_j: f64,
     /// Brought since the start by prescribed temperatures.
     pub heated_j: f64,
+    /// Brought since the start by what is held and moves.
+    pub driven_j: f64,
     /// Work of yield since the start, plastic strain taken as small.
     pub plastic_j: f64,
     /// Taken since the start by damping.

@@ -111,6 +111,7 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
             elastic_j: ledger.elastic,
             potential_j: ledger.potential,
             heated_j: ledger.heated,
+            driven_j: ledger.driven,
             plastic_j: ledger.plastic,
             damped_j: ledger.damped,
             lost_j: ledger.lost,
@@ -141,6 +142,7 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
                 elastic_j: ledger.elastic,
                 potential_j: ledger.potential,
                 heated_j: ledger.heated,
+                driven_j: ledger.driven,
                 plastic_j: ledger.plastic,
                 damped_j: ledger.damped,
                 lost_j: ledger.lost,
@@ -164,11 +166,12 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
                 records.von_mises
             ),
             format!(
-                "  energy, {unit}: motion {:.4e}, elastic {:.4e}, height {:.4e}; heating brought {:.4e}, yield took {:.4e}, damping {:.4e}",
+                "  energy, {unit}: motion {:.4e}, elastic {:.4e}, height {:.4e}; heating brought {:.4e}, what moves {:.4e}; yield took {:.4e}, damping {:.4e}",
                 ledger.kinetic,
                 ledger.elastic,
                 ledger.potential,
                 ledger.heated,
+                ledger.driven,
                 ledger.plastic,
                 ledger.damped
             ),
