@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the hard cases (cases/hard) and writes docs/src/gallery.md, docs/src/gallery-fluid.md and their pictures from what they left
-behind.
+"""Runs the hard cases (cases/hard) and writes docs/src/gallery.md, docs/src/gallery-fluid.md, docs/src/gallery-solid.md and their pictures
+from what they left behind.
 
     cargo build -p welder && cargo build -p sph-fluid -p sph-solid --examples
     python3 docs/gallery.py
 
-`--page welds` or `--page fluid` runs and writes one of the two pages.
+`--page welds`, `--page fluid` or `--page solid` runs and writes one of the three pages.
 
 Every word of the page comes from the scenes (their first comment and title), every number from summary.json and the
 messages of the program, every picture from the program. A case may end as done, or with a status of its own that the
@@ -40,11 +40,20 @@ EXAMPLES = [
 ]
 
 
+PAGES = ["welds", "fluid", "solid"]
+
+
+def page_of(name):
+    """The page that a case, or a picture, belongs to."""
+    return next((page for page in PAGES if name.startswith(f"{page}-")), "welds")
+
+
 class Run:
     """A case that was run: its words, how it ended, what it found."""
 
     def __init__(self, folder, program, scratch):
         self.name = folder.name
+        self.page = page_of(self.name)
         scene = (folder / "scene.ron").read_text()
         lines = re.match(r"((?://[^\n]*\n)+)", scene).group(1).splitlines()
         self.words = " ".join(line.removeprefix("//").strip() for line in lines)
@@ -60,9 +69,6 @@ class Run:
         summary = self.out / "summary.json"
         self.summary = json.loads(summary.read_text()) if summary.is_file() else None
 
-    def is_fluid(self):
-        return self.name.startswith("fluid-")
-
     def is_named(self):
         """Whether the run ended as something that the program has a name for, with what belongs to it."""
         return self.summary is not None and self.code in ENDS and (
@@ -74,12 +80,13 @@ class Run:
             return "deep penetration"
         return ENDS.get(self.code, f"exit code {self.code}")
 
-    def picture(self):
-        """The picture that shows the case: its stress, what moves from above, the speed of a fluid, else the section along x."""
+    def pictures(self):
+        """The pictures that show the case: its stress, what moves from above, the speed of a fluid, else the section along x; of bodies
+        their stress, and the plastic strain of those that yield."""
         seen_from_above = "seam" in self.name or self.name in ("two-spots", "edge")
         wanted = ["stress_x", "speed", "top" if seen_from_above else "section_x"]
-        there = [self.out / f"{name}.png" for name in wanted if (self.out / f"{name}.png").is_file()]
-        return there[0] if there else None
+        there = lambda names: [self.out / f"{name}.png" for name in names if (self.out / f"{name}.png").is_file()]
+        return there(["stress", "plastic_strain"]) if self.page == "solid" else there(wanted)[:1]
 
 
 def png_rows(data):
@@ -154,6 +161,21 @@ def fluid_row(run):
     )
 
 
+def solid_row(run):
+    if run.summary is None:
+        return f"| [{run.name}](#{run.name}) | {run.end()} | | | | | | | | |"
+    s = run.summary
+    stresses = [1e-6 * s[f"{which}_pa"] for which in ("max_von_mises", "max_principal_stress", "min_principal_stress")]
+    return (
+        f"| [{run.name}](#{run.name}) | {run.end()} | {s['max_speed_m_s']:.3g} | {' | '.join(f'{stress:.3g}' for stress in stresses)} "
+        f"| {1e3 * s['max_displacement_m']:.3g} | {s['max_plastic_strain']:.1e} | {s['pieces']} "
+        f"| {s['energy']['residual_rel']:.0e} | {s['particles']} x {s['steps']} | {s['cpu_s']:.1f} |"
+    )
+
+
+ROWS = {"welds": row, "fluid": fluid_row, "solid": solid_row}
+
+
 def history(run):
     """Columns of history.csv."""
     with (run.out / "history.csv").open() as file:
@@ -162,12 +184,25 @@ def history(run):
 
 
 def course(run):
-    """How fast a fluid was, how far it reached and where its middle was, at ten times of its run."""
+    """How a fluid or bodies fared, at ten times of the run."""
     columns = history(run)
     times = columns["time_s"]
     picked = [min(range(len(times)), key=lambda k: abs(times[k] - times[-1] * tenth / 10)) for tenth in range(1, 11)]
     line = lambda title, texts: f"| {title} | " + " | ".join(texts) + " |"
     ends = lambda axis, k: [1e3 * columns[f"{axis}_{end}_m"][k] for end in ("min", "max")]
+    if run.page == "solid":
+        energies = [(name, columns[f"{key}_j"]) for name, key in (("energy of motion", "kinetic"), ("of strain", "elastic"), ("lost", "lost"))]
+        spans = list(zip([-1, *picked], picked))
+        peaks = lambda name, scale: [f"{scale * max(columns[name][before + 1 : k + 1]):.4g}" for before, k in spans]
+        return [
+            line("time ms", [f"{1e3 * times[k]:.4g}" for k in picked]),
+            "|---" * 11 + "|",
+            line("largest von Mises stress MPa", peaks("max_von_mises_pa", 1e-6)),
+            line("largest principal stress MPa", peaks("max_principal_stress_pa", 1e-6)),
+            line("largest displacement mm", peaks("max_displacement_m", 1e3)),
+            *(line(f"{name} J/m", [f"{values[k]:.3g}" for k in picked]) for name, values in energies if any(values)),
+            "",
+        ]
     extent = lambda axis, k: f"{ends(axis, k)[1] - ends(axis, k)[0]:.3f}"
     centre = lambda axis, k: f"{sum(ends(axis, k)) / 2:.3f}"
     return [
@@ -184,7 +219,7 @@ def more(run):
     """Numbers of flow and stress, where they were computed."""
     s = run.summary or {}
     said = []
-    if run.is_fluid():
+    if run.page != "welds":
         return said
     if "reynolds" in s.get("numbers", {}):
         n = s["numbers"]
@@ -205,11 +240,11 @@ def section(run):
     lines = [f"### {run.name}", "", f"**{run.title}.** {run.words}", ""]
     lines += more(run) + ([""] if more(run) else [])
     lines += [f"> {line}" for line in run.said] + ([""] if run.said else [])
-    lines += course(run) if run.is_fluid() and run.summary else []
-    picture = run.picture() if run.summary else None
-    if picture:
-        (PICTURES / f"{run.name}.png").write_bytes(small_png(picture.read_bytes()))
-        lines += [f"![{run.title}](gallery/{run.name}.png)", ""]
+    lines += course(run) if run.page != "welds" and run.summary else []
+    for index, picture in enumerate(run.pictures() if run.summary else []):
+        name = run.name if index == 0 else f"{run.name}-{picture.stem.replace('_', '-')}"
+        (PICTURES / f"{name}.png").write_bytes(small_png(picture.read_bytes()))
+        lines += [f"![{run.title}](gallery/{name}.png)", ""]
     return lines
 
 
@@ -257,6 +292,29 @@ def fluid_page(runs, machine):
     return "\n".join(lines).rstrip() + "\n"
 
 
+def solid_page(runs, machine):
+    lines = [
+        "# Hard cases of elastic bodies",
+        "",
+        "Scenes of [elastic bodies](how-to/solid.md) at the border of what the program can do: `cases/hard/solid-*`, each run with `welder run`.",
+        "This page and its pictures were written by `python3 docs/gallery.py --page solid` from those runs; no number is typed.",
+        "",
+        account(runs, machine),
+        "",
+        "| case | ended | largest speed m/s | von Mises MPa | principal MPa, largest | smallest | displacement mm | plastic strain | pieces | energy residual | particles x steps | cpu s |",
+        "|---" * 12 + "|",
+        *map(solid_row, runs),
+        "",
+        "Stress, displacement and plastic strain are the largest of the run, pieces those at its end; the residual is what viscosity and the scheme",
+        "itself took, over the largest energy; below zero they gave. In the tables below they are the largest since the time before, and energies those of",
+        "the time. Pictures show the end.",
+        "",
+    ]
+    for run in runs:
+        lines += section(run)
+    return "\n".join(lines).rstrip() + "\n"
+
+
 def weld_page(runs, examples, machine):
     lines = [
         "# Hard cases",
@@ -292,10 +350,12 @@ def write(page, runs, program):
     """Writes a page, and its pictures in place of those it had."""
     PICTURES.mkdir(exist_ok=True)
     for old in PICTURES.glob("*.png"):
-        if old.stem.startswith("fluid-") == (page == "fluid"):
+        if page_of(old.stem) == page:
             old.unlink()
     if page == "fluid":
         (SOURCES / "gallery-fluid.md").write_text(fluid_page(runs, machine(program)))
+    elif page == "solid":
+        (SOURCES / "gallery-solid.md").write_text(solid_page(runs, machine(program)))
     else:
         examples = [example(*one) for one in EXAMPLES]
         (SOURCES / "gallery.md").write_text(weld_page(runs, examples, machine(program)))
@@ -304,21 +364,20 @@ def write(page, runs, program):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--welder", type=Path, default=ROOT / "target/debug/welder", help="the program")
-    parser.add_argument("--page", choices=["welds", "fluid"], help="run and write this page only")
+    parser.add_argument("--page", choices=PAGES, help="run and write this page only")
     parser.add_argument("--only", metavar="NAME", nargs="+", help="run these cases and print their rows; write nothing")
     given = parser.parse_args()
     folders = sorted(path.parent for path in (ROOT / "cases/hard").glob("*/scene.ron"))
     if given.only:
         folders = [folder for folder in folders if folder.name in given.only]
-    pages = {"welds": [], "fluid": []}
+    pages = {page: [] for page in PAGES}
     with tempfile.TemporaryDirectory() as scratch:
         for folder in folders:
-            kind = "fluid" if folder.name.startswith("fluid-") else "welds"
-            if given.page not in (None, kind):
+            if given.page not in (None, page_of(folder.name)):
                 continue
             run = Run(folder, given.welder, Path(scratch))
-            print(fluid_row(run) if run.is_fluid() else row(run), *run.said, sep="\n  ", flush=True)
-            pages[kind].append(run)
+            print(ROWS[run.page](run), *run.said, sep="\n  ", flush=True)
+            pages[run.page].append(run)
         for kind, runs in pages.items():
             if runs and not given.only:
                 write(kind, runs, given.welder)

@@ -81,7 +81,14 @@ fn stress_is_the_same_on_two_threads_and_after_a_stop() {
     the_same_however_it_is_run(&settings, ["0.0011", "0.0023"], |whole| {
         let stress = result(whole).outcome.stress.expect("it is computed");
         assert!(stress.max_von_mises_pa > 1e7 && stress.max_plastic_strain > 1e-3, "{stress:?}");
-        assert!(whole.join("stress_x.png").exists() && whole.join("residual_stress_y.png").exists());
+        assert!(stress.max_principal_stress_pa > 1e7 && stress.min_principal_stress_pa < 0.0, "{stress:?}");
+        let pictures =
+            ["stress_x", "residual_stress_y", "principal_stress_x", "displacement_y", "plastic_strain_x"];
+        pictures.iter().for_each(|name| assert!(whole.join(format!("{name}.png")).exists(), "{name}"));
+        let last = read_history::<HistoryRow>(&whole.join("history.csv")).unwrap().pop().unwrap();
+        assert_eq!(last.max_principal_stress_pa, Some(stress.max_principal_stress_pa));
+        assert_eq!(last.min_principal_stress_pa, Some(stress.min_principal_stress_pa));
+        assert_eq!(last.max_displacement_m, Some(stress.max_displacement_m));
     });
 }
 

@@ -1,6 +1,6 @@
 //! A symmetric tensor in 3-D, or in plane strain with its out-of-plane component.
 
-use nalgebra::SMatrix;
+use nalgebra::{Matrix3, SMatrix};
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 /// A symmetric stress or strain \[Pa or -\].
@@ -65,6 +65,23 @@ impl<const D: usize> SymmetricTensor<D> {
     pub fn von_mises(&self) -> f64 {
         (1.5 * self.deviator().norm_squared()).sqrt()
     }
+
+    /// Principal values, the largest first: eigenvalues of the whole tensor, so that that of plane strain's third axis is
+    /// among them. Of a tensor that is not finite they are no numbers either.
+    #[must_use]
+    pub fn principal(&self) -> [f64; 3] {
+        let mut whole = Matrix3::zeros();
+        whole.view_mut((0, 0), (D, D)).copy_from(&self.in_plane);
+        if D < 3 {
+            whole[(2, 2)] = self.out_of_plane;
+        }
+        if !whole.iter().all(|component| component.is_finite()) {
+            return [f64::NAN; 3];
+        }
+        let mut values: [f64; 3] = whole.symmetric_eigenvalues().into();
+        values.sort_by(|a, b| b.total_cmp(a));
+        values
+    }
 }
 
 impl<const D: usize> Add for SymmetricTensor<D> {
@@ -119,6 +136,21 @@ mod tests {
         assert_eq!(plane.product(&plane), full.norm_squared());
         assert!((plane.von_mises() / full.von_mises() - 1.0).abs() < 1e-15);
         assert!(plane.deviator().trace().abs() < 1e-15 && full.deviator().trace().abs() < 1e-15);
+    }
+
+    #[test]
+    fn principal_values_of_simple_states() {
+        let near = |found: [f64; 3], exact: [f64; 3]| {
+            assert!(found.iter().zip(exact).all(|(found, exact)| (found - exact).abs() < 1e-14), "{found:?}");
+        };
+        let shear = Matrix2::new(1.0, 2.0, 2.0, 1.0);
+        near(SymmetricTensor { in_plane: shear, out_of_plane: 0.5 }.principal(), [3.0, 0.5, -1.0]);
+        near(SymmetricTensor { in_plane: shear, out_of_plane: -7.0 }.principal(), [3.0, -1.0, -7.0]);
+        // A bar along (1, 1, 1) that is pulled by 6.
+        let pulled = Matrix3::repeat(2.0);
+        near(SymmetricTensor { in_plane: pulled, out_of_plane: 0.0 }.principal(), [6.0, 0.0, 0.0]);
+        let lost = SymmetricTensor { in_plane: shear * f64::NAN, out_of_plane: 0.5 }.principal();
+        assert!(lost.iter().all(|value| value.is_nan()));
     }
 
     #[test]

@@ -10,4 +10,4 @@ pub use cells::{centre_of, sites};
 pub use fine_box::{fine_box_around, largest_melt_radius, lit_box, margin};
 pub use levels::{Cell, CellBox, LevelPlan};
 pub use pairs::{Members, Neighborhood, PairReport, conduction_rows, default_ratio, mirrors, pair_table};
-pub use workpiece::{Workpiece, planes, symmetry_planes};
+pub use workpiece::{Workpiece, disorder, planes, symmetry_planes};

@@ -65,9 +65,10 @@ fn centre(cell: &Cell<3>, spacing: f64, low: &[f64; 3]) -> Vector3<f64> {
     Vector3::new(low[0] + spacing * middle[0], low[1] + spacing * middle[1], -spacing * middle[2])
 }
 
-fn disorder(random: &mut Pcg64Mcg, amplitude: f64, edge: f64) -> Vector3<f64> {
+/// A random shift \[m\] of the particle of a cell with the given edge, along each axis at most `amplitude` edges.
+pub fn disorder<const D: usize>(random: &mut Pcg64Mcg, amplitude: f64, edge: f64) -> SVector<f64, D> {
     if amplitude == 0.0 {
-        return Vector3::zeros();
+        return SVector::zeros();
     }
     SVector::from_fn(|_, _| amplitude * edge * random.random_range(-1.0..=1.0))
 }

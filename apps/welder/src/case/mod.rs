@@ -12,6 +12,7 @@ mod load;
 mod locate;
 mod material;
 mod nearest;
+pub mod over_rise;
 mod part;
 mod problem;
 mod read;

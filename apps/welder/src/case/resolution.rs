@@ -19,7 +19,7 @@ pub struct Resolution {
     pub seed: u64,
 }
 
-fn first_seed() -> u64 {
+pub(super) fn first_seed() -> u64 {
     1
 }
 

@@ -2,6 +2,8 @@
 
 use super::axes::Axes;
 use super::fluid::Span;
+use super::over_rise::OverRise;
+use super::resolution::first_seed;
 use super::scene::{Budget, Output, ResolvedOutput};
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +20,7 @@ pub struct SolidScene {
     pub material: Elastic,
     /// The bodies at the start, without stress.
     pub bodies: Vec<Solid>,
-    /// Boxes whose particles are held where they are. Default: none.
+    /// Boxes whose particles are held where they are, or moved. Default: none.
     #[serde(default)]
     pub held: Vec<Hold>,
     /// Acceleration of gravity in m/s2. Default: none.
@@ -32,6 +34,12 @@ pub struct SolidScene {
     pub damping_1_s: f64,
     /// Distance of neighbouring particles in metres.
     pub spacing_m: f64,
+    /// Uniform random shift of each particle along each axis at the start, in spacings, 0 to 0.3. Default: 0.
+    #[serde(default)]
+    pub disorder: f64,
+    /// Seed of the random shifts. Default: 1.
+    #[serde(default = "first_seed")]
+    pub seed: u64,
     /// How the bodies are computed.
     #[serde(default)]
     pub scheme: SolidScheme,
@@ -45,8 +53,9 @@ pub struct SolidScene {
     pub budget: Budget,
 }
 
-/// An elastic material, or one that yields without hardening.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// An elastic material, or one that yields without hardening. What depends on temperature may be a table over its rise,
+/// `[(rise_k, value), ...]`: straight lines between, constant beyond the ends.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Elastic {
     /// Density without stress in kg/m3.
@@ -55,12 +64,12 @@ pub struct Elastic {
     pub young_pa: f64,
     /// Poisson's ratio.
     pub poisson: f64,
-    /// Linear expansion in 1/K. Default: 0.
+    /// Linear expansion in 1/K, d ln(length)/dT; a number or a table. Default: 0.
     #[serde(default)]
-    pub expansion_1_k: f64,
-    /// Von Mises stress in Pa at which it yields. Default: never.
+    pub expansion_1_k: OverRise,
+    /// Von Mises stress in Pa at which it yields; a number or a table. Default: never.
     #[serde(default)]
-    pub yield_pa: Option<f64>,
+    pub yield_pa: Option<OverRise>,
 }
 
 /// Temperatures over time, above that of the start. They belong to the material and move with it.
@@ -148,7 +157,7 @@ impl Solid {
     }
 }
 
-/// A box whose particles are held: those that start in it stay.
+/// A box whose particles are held: those that start in it stay, or move as they are told, whatever pulls at them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Hold {
@@ -156,6 +165,9 @@ pub struct Hold {
     pub low_m: Axes,
     /// High corner in metres.
     pub high_m: Axes,
+    /// Velocity in m/s, the same at all times. Default: at rest.
+    #[serde(default)]
+    pub velocity_m_s: Option<Axes>,
 }
 
 /// How bodies are computed.
@@ -188,6 +200,7 @@ pub const SOLID_FIELDS: &[&str] = &[
     "velocity_m_s",
     "displacement_m",
     "von_mises_pa",
+    "principal_stress_pa",
     "pressure_pa",
     "plastic_strain",
     "temperature_rise_k",

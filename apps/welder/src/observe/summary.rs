@@ -129,6 +129,12 @@ pub struct SolidOutcome {
     pub max_speed_m_s: f64,
     /// Largest von Mises stress at any time.
     pub max_von_mises_pa: f64,
+    /// Largest principal stress, tension positive at any time.
+    pub max_principal_stress_pa: f64,
+    /// Smallest principal stress at any time.
+    pub min_principal_stress_pa: f64,
+    /// Largest displacement from the start at any time.
+    pub max_displacement_m: f64,
     /// Largest accumulated equivalent plastic strain.
     pub max_plastic_strain: f64,
     /// Number of pieces that hang together at the end.
@@ -154,6 +160,8 @@ pub struct SolidEnergy {
     pub potential_j: f64,
     /// Brought since the start by prescribed temperatures.
     pub heated_j: f64,
+    /// Brought since the start by what is held and moves.
+    pub driven_j: f64,
     /// Work of yield since the start, plastic strain taken as small.
     pub plastic_j: f64,
     /// Taken since the start by damping.
@@ -208,6 +216,10 @@ pub struct Weld {
 pub struct StressEnd {
     /// Largest von Mises stress.
     pub max_von_mises_pa: f64,
+    /// Largest principal stress, tension positive.
+    pub max_principal_stress_pa: f64,
+    /// Smallest principal stress.
+    pub min_principal_stress_pa: f64,
     /// Largest displacement from the start.
     pub max_displacement_m: f64,
     /// Largest equivalent plastic strain.

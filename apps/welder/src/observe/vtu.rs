@@ -89,6 +89,9 @@ fn write_fields<const D: usize>(
             let (kind, components, bytes) = match field.values {
                 Values::Scalar(values) => (precision.vtk_name(), 1, scalars(values, precision)),
                 Values::Vector(values) => (precision.vtk_name(), 3, vectors(values, precision)),
+                Values::Triple(values) => {
+                    (precision.vtk_name(), 3, scalars(values.as_flattened(), precision))
+                }
                 Values::Byte(values) => ("UInt8", 1, values.to_vec()),
             };
             write_array(xml, field.name, kind, components, &bytes)?;
@@ -179,6 +182,10 @@ mod tests {
         let fields = [
             Field { name: "temperature_k", values: Values::Scalar(&[293.15, f64::NAN]) },
             Field { name: "velocity_m_s", values: Values::Vector(&velocities) },
+            Field {
+                name: "principal_stress_pa",
+                values: Values::Triple(&[[3.0, 0.5, -1.0], [6.0, 0.0, -2.0]]),
+            },
             Field { name: "phase", values: Values::Byte(&[0, 2]) },
         ];
         String::from_utf8(encode_points(&positions_m, &fields, precision).unwrap()).unwrap()
@@ -204,6 +211,12 @@ mod tests {
             [1.0_f32, 2.0, 0.0, 3.0, 4.0, 0.0].into_iter().flat_map(f32::to_le_bytes).collect();
         assert_eq!(bytes, expected);
         assert!(file.contains("type=\"Float32\" Name=\"velocity_m_s\""));
+        let (attributes, bytes) = array(&file, "principal_stress_pa");
+        let expected = [3.0_f32, 0.5, -1.0, 6.0, 0.0, -2.0].map(f32::to_le_bytes);
+        assert!(
+            bytes == expected.as_flattened() && attributes.contains("NumberOfComponents=\"3\""),
+            "{attributes}"
+        );
         assert!(file.contains("type=\"UInt8\" Name=\"phase\""));
         assert_eq!(array(&file, "phase").1, [0, 2]);
     }

@@ -15,6 +15,7 @@ use crate::particles::Particles;
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 use sph_integrate::StepLimit;
+use sph_solid::SymmetricTensor;
 
 /// One physics of a scene.
 pub trait Physics<const D: usize> {
@@ -87,6 +88,8 @@ pub enum Column<const D: usize> {
     Scalar(Vec<f64>),
     /// One vector a particle.
     Vector(Vec<SVector<f64, D>>),
+    /// Three numbers a particle in any dimension, such as principal stresses.
+    Triple(Vec<[f64; 3]>),
     /// A small whole number a particle: a phase, a flag.
     Byte(Vec<u8>),
 }
@@ -117,6 +120,8 @@ pub struct Mechanics {
     pub largest_displacement: f64,
     /// Largest von Mises stress \[Pa\].
     pub largest_von_mises: f64,
+    /// Largest and smallest principal stress \[Pa\], where there is stress; tension is positive.
+    pub principal_stresses: Option<[f64; 2]>,
     /// Largest equivalent plastic strain \[-\].
     pub largest_plastic_strain: f64,
 }
@@ -137,9 +142,16 @@ impl Mechanics {
             unrest: self.unrest.max(other.unrest),
             largest_displacement: self.largest_displacement.max(other.largest_displacement),
             largest_von_mises: self.largest_von_mises.max(other.largest_von_mises),
+            principal_stresses: self.principal_stresses.or(other.principal_stresses),
             largest_plastic_strain: self.largest_plastic_strain.max(other.largest_plastic_strain),
         }
     }
+}
+
+/// Largest and smallest principal stress of all \[Pa\]; no numbers without any.
+pub(crate) fn principal_extremes<const D: usize>(stresses: &[SymmetricTensor<D>]) -> [f64; 2] {
+    let principals = stresses.iter().map(SymmetricTensor::principal);
+    principals.fold([f64::NAN; 2], |[most, least], [first, _, last]| [most.max(first), least.min(last)])
 }
 
 /// What forces have done to the melt \[J\], mirror images not counted.

@@ -356,6 +356,7 @@ fn values<const D: usize>(column: &Column<D>) -> Values<'_, D> {
     match column {
         Column::Scalar(values) => Values::Scalar(values),
         Column::Vector(values) => Values::Vector(values),
+        Column::Triple(values) => Values::Triple(values),
         Column::Byte(values) => Values::Byte(values),
     }
 }

@@ -58,8 +58,10 @@ pub(super) fn outcome(simulation: &Simulation) -> WeldOutcome {
             mechanical_residual_rel: ledger.mechanical_residual,
             deformation_residual_rel: ledger.deformation_residual,
         },
-        stress: simulation.model().stress.is_some().then_some(StressEnd {
+        stress: mechanics.principal_stresses.map(|[largest, smallest]| StressEnd {
             max_von_mises_pa: mechanics.largest_von_mises,
+            max_principal_stress_pa: largest,
+            min_principal_stress_pa: smallest,
             max_displacement_m: mechanics.largest_displacement,
             max_plastic_strain: mechanics.largest_plastic_strain,
             unrest: mechanics.unrest,

@@ -6,7 +6,7 @@ use crate::case::{self, SolidCase};
 use crate::cli::{ExitStatus, RunArguments};
 use crate::observe::{Checkpoint, CheckpointError, Measures, Pictures, SolidEnergy, SolidOutcome, SolidRow};
 use crate::physics::{Column, Cost, Failure};
-use crate::solid::{SolidBody, SolidModel, stress_section};
+use crate::solid::{SolidBody, SolidModel, body_sections};
 use nalgebra::SVector;
 use std::collections::BTreeMap;
 
@@ -88,15 +88,18 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
     }
 
     fn measures(&self, last: &StepReport) -> Measures {
-        let (ledger, [low, high]) = (self.ledger(), self.bounds());
+        let (ledger, largest, [low, high]) = (self.ledger(), self.largest(), self.bounds());
         Measures::Solid(SolidRow {
             time_s: SolidBody::time(self),
             step: SolidBody::steps(self),
             dt_s: last.step,
             dt_limit: last.limit.to_string(),
-            max_speed_m_s: self.largest_speed(),
-            max_von_mises_pa: self.largest_von_mises(),
-            max_plastic_strain: self.records().plastic,
+            max_speed_m_s: largest.speed,
+            max_von_mises_pa: largest.von_mises,
+            max_principal_stress_pa: largest.principal[0],
+            min_principal_stress_pa: largest.principal[1],
+            max_displacement_m: largest.displacement,
+            max_plastic_strain: largest.plastic,
             pieces: self.pieces(),
             x_min_m: low[0],
             x_max_m: high[0],
@@ -108,6 +111,7 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
             elastic_j: ledger.elastic,
             potential_j: ledger.potential,
             heated_j: ledger.heated,
+            driven_j: ledger.driven,
             plastic_j: ledger.plastic,
             damped_j: ledger.damped,
             lost_j: ledger.lost,
@@ -116,7 +120,7 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
     }
 
     fn pictures(&self, _at_end: bool) -> Pictures {
-        stress_section(self)
+        body_sections(self)
     }
 
     fn outcome(&self) -> SolidOutcome {
@@ -125,6 +129,9 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
             mass_kg: self.mass(),
             max_speed_m_s: records.speed,
             max_von_mises_pa: records.von_mises,
+            max_principal_stress_pa: records.principal[0],
+            min_principal_stress_pa: records.principal[1],
+            max_displacement_m: records.displacement,
             max_plastic_strain: records.plastic,
             pieces: self.pieces(),
             momentum_kg_m_s: self.momentum().iter().copied().collect(),
@@ -135,6 +142,7 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
                 elastic_j: ledger.elastic,
                 potential_j: ledger.potential,
                 heated_j: ledger.heated,
+                driven_j: ledger.driven,
                 plastic_j: ledger.plastic,
                 damped_j: ledger.damped,
                 lost_j: ledger.lost,
@@ -158,11 +166,12 @@ impl<const D: usize> Scenario<D> for SolidBody<D> {
                 records.von_mises
             ),
             format!(
-                "  energy, {unit}: motion {:.4e}, elastic {:.4e}, height {:.4e}; heating brought {:.4e}, yield took {:.4e}, damping {:.4e}",
+                "  energy, {unit}: motion {:.4e}, elastic {:.4e}, height {:.4e}; heating brought {:.4e}, what moves {:.4e}; yield took {:.4e}, damping {:.4e}",
                 ledger.kinetic,
                 ledger.elastic,
                 ledger.potential,
                 ledger.heated,
+                ledger.driven,
                 ledger.plastic,
                 ledger.damped
             ),

@@ -39,6 +39,8 @@ pub(super) fn measures(simulation: &Simulation, last: &StepReport) -> HistoryRow
     let (now, ledger) = (&simulation.records().now, simulation.ledger());
     let mechanics = simulation.mechanics();
     let stress = mechanics.filter(|_| simulation.model().stress.is_some());
+    let principal =
+        |which: usize| stress.and_then(|mechanics| mechanics.principal_stresses).map(|both| both[which]);
     HistoryRow {
         time_s: simulation.time(),
         step: simulation.steps(),
@@ -55,6 +57,8 @@ pub(super) fn measures(simulation: &Simulation, last: &StepReport) -> HistoryRow
         energy_lost_j: ledger.lost,
         energy_residual_rel: ledger.residual,
         max_von_mises_pa: stress.map(|mechanics| mechanics.largest_von_mises),
+        max_principal_stress_pa: principal(0),
+        min_principal_stress_pa: principal(1),
         max_displacement_m: stress.map(|mechanics| mechanics.largest_displacement),
         max_plastic_strain: stress.map(|mechanics| mechanics.largest_plastic_strain),
     }
@@ -74,6 +78,29 @@ pub(super) fn last_pictures(simulation: &Simulation) -> Pictures {
     Pictures { sections: stresses(simulation, "residual_stress") }
 }
 
+/// What stress has done by now, where it is computed: sections of the largest principal stress, displacement and plastic strain.
+pub(super) fn deformations(simulation: &Simulation) -> Vec<(String, SectionGrid)> {
+    let mut sections = Vec::new();
+    for (name, column) in simulation.columns() {
+        let (stem, quantity, field) = match (name, column) {
+            ("principal_stress_pa", Column::Triple(all)) => (
+                "principal_stress",
+                "largest principal stress, Pa",
+                all.iter().map(|principal| principal[0]).collect(),
+            ),
+            ("displacement_m", Column::Vector(all)) => (
+                "displacement",
+                "displacement, m",
+                all.iter().map(|displacement| displacement.norm()).collect(),
+            ),
+            ("plastic_strain", Column::Scalar(all)) => ("plastic_strain", "plastic strain", all),
+            _ => continue,
+        };
+        sections.extend(sections_of(simulation, &field, stem, quantity));
+    }
+    sections
+}
+
 /// Where sections cut \[m\]: through the beam, or the middle.
 fn cut(simulation: &Simulation) -> [f64; 2] {
     let model = simulation.model();
@@ -90,17 +117,27 @@ fn stresses(simulation: &Simulation, stem: &str) -> Vec<(String, SectionGrid)> {
     let columns = simulation.columns();
     let stress = columns.iter().find(|(name, _)| *name == "von_mises_pa");
     let Some((_, Column::Scalar(stress))) = stress else { return Vec::new() };
+    sections_of(simulation, stress, stem, "von Mises stress, Pa")
+}
+
+/// Sections of a field along x and along y, for files whose names begin with `stem`.
+fn sections_of(
+    simulation: &Simulation,
+    field: &[f64],
+    stem: &str,
+    quantity: &'static str,
+) -> Vec<(String, SectionGrid)> {
     let place = cut(simulation);
     let when = format!("t = {:.3} ms", 1e3 * simulation.time());
     let section = |(along, x_label): (usize, &'static str)| {
-        let map = simulation.gauge().section_of(stress, 1 - along, place[1 - along]);
+        let map = simulation.gauge().section_of(field, 1 - along, place[1 - along]);
         let grid = SectionGrid {
             title: format!("Section along {x_label}, {when}"),
             x_label,
             y_label: "z",
             x_m: map.x,
             y_m: map.y,
-            quantity: "von Mises stress, Pa",
+            quantity,
             value: map.value,
             levels: Vec::new(),
             levels_of: None,

@@ -1,7 +1,7 @@
 //! A weld as the run loop sees it, with the fine box that grows where melt leaves it.
 
 use super::course::{Course, Plan, RunError};
-use super::watch::{columns, last_pictures, measures, pictures};
+use super::watch::{columns, deformations, last_pictures, measures, pictures};
 use super::{Scenario, Simulation, StepReport, level_plan, report};
 use crate::case::scene::Levels;
 use crate::case::source::Source;
@@ -220,7 +220,12 @@ impl Scenario<3> for WeldRun {
     /// A run that does not get to the end of the laser shows its last state.
     fn pictures(&self, at_end: bool) -> Pictures {
         let dark = self.laser_off().is_some_and(|off| self.time() >= off);
-        if at_end && dark { last_pictures(&self.simulation) } else { pictures(&self.simulation) }
+        let mut drawn =
+            if at_end && dark { last_pictures(&self.simulation) } else { pictures(&self.simulation) };
+        if at_end {
+            drawn.sections.extend(deformations(&self.simulation));
+        }
+        drawn
     }
 
     fn outcome(&self) -> WeldOutcome {

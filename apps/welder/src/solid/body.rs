@@ -1,11 +1,12 @@
 //! Elastic bodies that are stepped, kick-drift-kick.
 
+use super::account::{SolidLedger, SolidRecords};
 use super::model::SolidModel;
 use super::patch::Patch;
 use crate::model::ModelError;
 use crate::observe::{Checkpoint, CheckpointError};
 use crate::particles::bounding_box;
-use crate::physics::{Column, Cost, Failure};
+use crate::physics::{Column, Cost, Failure, principal_extremes};
 use crate::run::StepReport;
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
@@ -18,54 +19,6 @@ const STEP_FACTOR: f64 = 0.4;
 /// Steps of a stride.
 const MOST_STEPS: usize = 20;
 
-/// Bodies that have gained this share of the energy that there was have run away.
-const LARGEST_GIFT: f64 = 0.1;
-
-/// Largest of what was measured over a run.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct SolidRecords {
-    /// Largest speed of a particle \[m/s\].
-    pub speed: f64,
-    /// Largest von Mises stress \[Pa\].
-    pub von_mises: f64,
-    /// Largest accumulated equivalent plastic strain \[-\].
-    pub plastic: f64,
-}
-
-/// Energies of the bodies \[J; J/m in the plane\].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct SolidLedger {
-    /// Of motion.
-    pub kinetic: f64,
-    /// Of elastic strain.
-    pub elastic: f64,
-    /// Of height over the start.
-    pub potential: f64,
-    /// Brought since the start by prescribed temperatures.
-    pub heated: f64,
-    /// Work of yield since the start, plastic strain taken as small.
-    pub plastic: f64,
-    /// Taken since the start by damping.
-    pub damped: f64,
-    /// Taken since the start by artificial viscosity and the scheme itself; negative where it has given.
-    pub lost: f64,
-    /// `lost` over the largest of the energies, that of the start included.
-    pub residual: f64,
-}
-
-impl SolidLedger {
-    /// What is wrong with it, if anything: energy from nowhere.
-    pub fn fault(&self) -> Option<String> {
-        let made = self.residual.is_nan() || self.residual < -LARGEST_GIFT;
-        made.then(|| {
-            format!(
-                "the scheme itself gave {:.1e} of the largest energy; accepted: {LARGEST_GIFT}",
-                -self.residual
-            )
-        })
-    }
-}
-
 /// What a checkpoint holds beside the columns.
 #[derive(Serialize, Deserialize)]
 struct Saved {
@@ -73,6 +26,8 @@ struct Saved {
     pair_visits: u64,
     records: SolidRecords,
     heated: f64,
+    driven: f64,
+    plastic: f64,
     damped: f64,
 }
 
@@ -89,7 +44,12 @@ pub struct SolidBody<const D: usize> {
     cost: Cost,
     records: SolidRecords,
     heated: f64,
+    /// Work of what is moved, but for that against gravity.
+    driven: f64,
+    plastic: f64,
     damped: f64,
+    /// Equivalent plastic strains whose work is in `plastic`.
+    accounted: Vec<f64>,
 }
 
 impl<const D: usize> SolidBody<D> {
@@ -98,10 +58,7 @@ impl<const D: usize> SolidBody<D> {
     /// # Errors
     /// [`ModelError`] when the solid crate refuses the particles.
     pub fn new(model: SolidModel<D>) -> Result<Self, ModelError> {
-        let mut patch = Patch::new(&model)?;
-        for (i, velocity) in patch.velocities_mut().iter_mut().enumerate() {
-            *velocity = if model.held[i] { SVector::zeros() } else { model.velocities[i] };
-        }
+        let patch = Patch::new(&model)?;
         let mut body = Self {
             spacings: vec![model.case.scene.spacing_m; model.positions.len()],
             model,
@@ -113,8 +70,12 @@ impl<const D: usize> SolidBody<D> {
             cost: Cost::default(),
             records: SolidRecords::default(),
             heated: 0.0,
+            driven: 0.0,
+            plastic: 0.0,
             damped: 0.0,
+            accounted: Vec::new(),
         };
+        body.accounted = body.patch.equivalents().to_vec();
         body.start_energy = body.patch.energies().iter().sum();
         body.record();
         Ok(body)
@@ -141,6 +102,7 @@ impl<const D: usize> SolidBody<D> {
             self.patch.step(report.step);
             self.patch.push(&(self.model.gravity * (0.5 * report.step)));
             self.damp(report.step);
+            self.add_yield();
             self.time = next;
             self.steps += 1;
             *self.limits.entry(report.limit.to_string()).or_default() += 1;
@@ -149,6 +111,7 @@ impl<const D: usize> SolidBody<D> {
             }
         }
         self.cost.pair_visits += self.patch.pair_visits() - before;
+        self.driven += self.patch.driven_work();
         self.record();
         self.broken().map_or(Ok(report), Err)
     }
@@ -174,10 +137,24 @@ impl<const D: usize> SolidBody<D> {
         let rate = self.model.case.scene.damping_1_s;
         if rate > 0.0 {
             let kept = (-rate * dt).exp();
-            let pairs = self.patch.masses().iter().zip(self.patch.velocities());
-            let kinetic: f64 = pairs.map(|(mass, velocity)| 0.5 * mass * velocity.norm_squared()).sum();
+            let free = |i: &usize| !self.model.held[*i];
+            let (masses, velocities) = (self.patch.masses(), self.patch.velocities());
+            let kinetic: f64 =
+                (0..masses.len()).filter(free).map(|i| 0.5 * masses[i] * velocities[i].norm_squared()).sum();
             self.damped += kinetic * (1.0 - kept * kept);
-            self.patch.velocities_mut().iter_mut().for_each(|velocity| *velocity *= kept);
+            self.patch.fade(kept);
+        }
+    }
+
+    /// Adds the work of what has yielded, at the yield stress of the temperatures of the moment.
+    fn add_yield(&mut self) {
+        let Some(law) = &self.model.material.yield_stress else { return };
+        let density = self.model.case.scene.material.density_kg_m3;
+        let (strains, temperatures) = (self.patch.equivalents(), self.patch.temperatures());
+        for (i, accounted) in self.accounted.iter_mut().enumerate().filter(|(i, now)| strains[*i] != **now) {
+            let volume = self.patch.masses()[i] / density;
+            self.plastic += volume * law.at(temperatures[i]) * (strains[i] - *accounted);
+            *accounted = strains[i];
         }
     }
 
@@ -204,19 +181,25 @@ impl<const D: usize> SolidBody<D> {
     }
 
     fn record(&mut self) {
-        self.records.speed = self.records.speed.max(self.largest_speed());
-        self.records.von_mises = self.records.von_mises.max(self.largest_von_mises());
-        self.records.plastic = self.patch.equivalents().iter().copied().fold(self.records.plastic, f64::max);
+        self.records = self.records.with(&self.largest());
     }
 
-    /// Speed of the fastest particle \[m/s\].
-    pub fn largest_speed(&self) -> f64 {
-        self.patch.velocities().iter().map(SVector::norm).fold(0.0, f64::max)
+    /// The largest of everything now.
+    pub fn largest(&self) -> SolidRecords {
+        let stresses = self.patch.stresses();
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        SolidRecords {
+            speed: largest(&mut self.patch.velocities().iter().map(SVector::norm)),
+            von_mises: largest(&mut stresses.iter().map(SymmetricTensor::von_mises)),
+            principal: principal_extremes(&stresses),
+            displacement: largest(&mut self.displacements().map(|moved| moved.norm())),
+            plastic: largest(&mut self.patch.equivalents().iter().copied()),
+        }
     }
 
-    /// Largest von Mises stress \[Pa\].
-    pub fn largest_von_mises(&self) -> f64 {
-        self.patch.stresses().iter().map(SymmetricTensor::von_mises).fold(0.0, f64::max)
+    /// Displacements from the start \[m\].
+    fn displacements(&self) -> impl Iterator<Item = SVector<f64, D>> {
+        self.patch.positions().iter().zip(&self.model.positions).map(|(now, then)| now - then)
     }
 
     /// The energy ledger now.
@@ -224,18 +207,17 @@ impl<const D: usize> SolidBody<D> {
         let ([kinetic, elastic], masses) = (self.patch.energies(), self.patch.masses());
         let fallen =
             |i: usize| self.model.gravity.dot(&(self.patch.positions()[i] - self.model.positions[i]));
-        let potential = -(0..self.spacings.len()).map(|i| masses[i] * fallen(i)).sum::<f64>();
-        let material = &self.model.case.scene.material;
-        let plastic = material.yield_pa.map_or(0.0, |yield_pa| {
-            let pairs = masses.iter().zip(self.patch.equivalents());
-            pairs.map(|(mass, strain)| yield_pa * strain * mass / material.density_kg_m3).sum()
-        });
-        let (heated, damped) = (self.heated, self.damped);
-        let lost = self.start_energy + heated - kinetic - elastic - potential - plastic - damped;
-        let energies = [self.start_energy, kinetic, elastic, potential, heated, plastic, damped];
+        let weight = |i: usize| -masses[i] * fallen(i);
+        let potential = (0..self.spacings.len()).map(weight).sum::<f64>();
+        // What is moved is carried as well.
+        let carried = (0..self.spacings.len()).filter(|&i| self.model.held[i]).map(weight).sum::<f64>();
+        let (heated, driven) = (self.heated, self.driven + carried);
+        let (plastic, damped) = (self.plastic, self.damped);
+        let lost = self.start_energy + heated + driven - kinetic - elastic - potential - plastic - damped;
+        let energies = [self.start_energy, kinetic, elastic, potential, heated, driven, plastic, damped];
         let scale = energies.into_iter().fold(0.0, |largest: f64, energy| largest.max(energy.abs()));
         let residual = if scale > 0.0 { lost / scale } else { lost };
-        SolidLedger { kinetic, elastic, potential, heated, plastic, damped, lost, residual }
+        SolidLedger { kinetic, elastic, potential, heated, driven, plastic, damped, lost, residual }
     }
 
     /// Momentum \[kg m/s; per metre in the plane\].
@@ -308,13 +290,16 @@ impl<const D: usize> SolidBody<D> {
 
     /// Columns to be shown, by name with unit.
     pub fn columns(&self) -> Vec<(&'static str, Column<D>)> {
-        let pairs = self.patch.positions().iter().zip(&self.model.positions);
         let stresses = self.patch.stresses();
         let rises = self.patch.temperatures().iter().map(|temperature| temperature - START_TEMPERATURE);
         vec![
             ("velocity_m_s", Column::Vector(self.patch.velocities().to_vec())),
-            ("displacement_m", Column::Vector(pairs.map(|(now, then)| now - then).collect())),
+            ("displacement_m", Column::Vector(self.displacements().collect())),
             ("von_mises_pa", Column::Scalar(stresses.iter().map(SymmetricTensor::von_mises).collect())),
+            (
+                "principal_stress_pa",
+                Column::Triple(stresses.iter().map(SymmetricTensor::principal).collect()),
+            ),
             ("pressure_pa", Column::Scalar(stresses.iter().map(|stress| -stress.trace() / 3.0).collect())),
             ("plastic_strain", Column::Scalar(self.patch.equivalents().to_vec())),
             ("temperature_rise_k", Column::Scalar(rises.collect())),
@@ -334,6 +319,8 @@ impl<const D: usize> SolidBody<D> {
             pair_visits: self.cost.pair_visits,
             records: self.records,
             heated: self.heated,
+            driven: self.driven,
+            plastic: self.plastic,
             damped: self.damped,
         })?;
         self.patch.save(&mut checkpoint)?;
@@ -350,7 +337,9 @@ impl<const D: usize> SolidBody<D> {
         (self.time, self.steps) = (checkpoint.time_s, checkpoint.step);
         (self.limits, self.records) = (saved.limits, saved.records);
         self.cost.pair_visits = saved.pair_visits;
-        (self.heated, self.damped) = (saved.heated, saved.damped);
+        (self.heated, self.driven) = (saved.heated, saved.driven);
+        (self.plastic, self.damped) = (saved.plastic, saved.damped);
+        self.accounted = self.patch.equivalents().to_vec();
         Ok(())
     }
 }

@@ -1,11 +1,14 @@
 //! From the case of elastic bodies to particles and controls.
 
-use crate::build::{centre_of, sites};
+use crate::build::{centre_of, disorder, sites};
 use crate::case::SolidCase;
 use crate::case::axes::Axes;
-use crate::case::solid::{Elastic, Form, Solid};
+use crate::case::over_rise::OverRise;
+use crate::case::solid::{Elastic, Form, Hold, Solid};
 use crate::model::ModelError;
 use nalgebra::SVector;
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
 use sph_kernel::{KernelKind, ScaledKernel};
 use sph_solid::{
     IsotropicModuli, Material, START_TEMPERATURE, ThermalExpansion, UpdatedControls, YieldStress,
@@ -41,7 +44,7 @@ pub struct SolidModel<const D: usize> {
     pub wave_speed: f64,
     /// Positions at the start \[m\].
     pub positions: Vec<SVector<f64, D>>,
-    /// Velocities at the start \[m/s\].
+    /// Velocities at the start \[m/s\], of those that are held at all times.
     pub velocities: Vec<SVector<f64, D>>,
     /// Which body each particle belongs to.
     pub bodies: Vec<u8>,
@@ -83,18 +86,22 @@ impl<const D: usize> SolidModel<D> {
             held: Vec::new(),
             case: case.clone(),
         };
+        let mut random = Pcg64Mcg::seed_from_u64(scene.seed);
+        let mut shifted =
+            |x: SVector<f64, D>| x + disorder::<D>(&mut random, scene.disorder, scene.spacing_m);
         for (index, body) in scene.bodies.iter().enumerate() {
-            model.positions.extend(places::<D>(body, scene.spacing_m));
+            model.positions.extend(places::<D>(body, scene.spacing_m).into_iter().map(&mut shifted));
             let velocity = body.velocity_m_s().map_or_else(SVector::zeros, Axes::vector);
             model.velocities.resize(model.positions.len(), velocity);
             model.bodies.resize(model.positions.len(), index as u8);
         }
-        let boxes: Vec<[SVector<f64, D>; 2]> =
-            scene.held.iter().map(|hold| [hold.low_m.vector(), hold.high_m.vector()]).collect();
-        let inside = |x: &SVector<f64, D>| {
-            boxes.iter().any(|[low, high]| (0..D).all(|axis| low[axis] <= x[axis] && x[axis] <= high[axis]))
-        };
-        model.held = model.positions.iter().map(inside).collect();
+        for (position, velocity) in model.positions.iter().zip(&mut model.velocities) {
+            let holding = scene.held.iter().find(|hold| is_inside(hold, position));
+            if let Some(hold) = holding {
+                *velocity = hold.velocity_m_s.as_ref().map_or_else(SVector::zeros, Axes::vector);
+            }
+            model.held.push(holding.is_some());
+        }
         Ok(model)
     }
 
@@ -117,12 +124,20 @@ impl<const D: usize> SolidModel<D> {
     }
 }
 
+fn is_inside<const D: usize>(hold: &Hold, x: &SVector<f64, D>) -> bool {
+    let (low, high) = (hold.low_m.vector::<D>(), hold.high_m.vector::<D>());
+    (0..D).all(|axis| low[axis] <= x[axis] && x[axis] <= high[axis])
+}
+
 fn material(elastic: &Elastic) -> Result<Material, sph_solid::Error> {
     let moduli = IsotropicModuli::from_young_and_poisson(elastic.young_pa, elastic.poisson)?;
     let mut material = Material::elastic(moduli, elastic.density_kg_m3)?;
+    let nodes = |value: &OverRise| -> Vec<(f64, f64)> {
+        value.points().into_iter().map(|(rise, value)| (START_TEMPERATURE + rise, value)).collect()
+    };
     material.expansion =
-        ThermalExpansion::constant(elastic.density_kg_m3, START_TEMPERATURE, elastic.expansion_1_k)?;
-    let law = elastic.yield_pa.map(|yield_pa| YieldStress::new(&[(START_TEMPERATURE, yield_pa)]));
+        ThermalExpansion::new(elastic.density_kg_m3, START_TEMPERATURE, &nodes(&elastic.expansion_1_k))?;
+    let law = elastic.yield_pa.as_ref().map(|yield_pa| YieldStress::new(&nodes(yield_pa)));
     material.yield_stress = law.transpose()?;
     Ok(material)
 }

@@ -52,14 +52,25 @@ impl<const D: usize> Patch<D> {
                 Patch::Total(Box::new(patch))
             }
         };
-        let free = either!(&mut patch, inner => &mut inner.free);
-        for (free, held) in free.iter_mut().zip(&model.held) {
-            *free = SVector::repeat(if *held { 0.0 } else { 1.0 });
-        }
+        patch.velocities_mut().copy_from_slice(&model.velocities);
+        patch.drive(model);
         Ok(patch)
     }
 
-    /// Makes the columns the whole state: lists are made anew, then one evaluation.
+    /// Moves what is held as the model says, and counts the work of that from here.
+    fn drive(&mut self, model: &SolidModel<D>) {
+        let held: Vec<usize> = (0..model.held.len()).filter(|&i| model.held[i]).collect();
+        let velocities: Vec<SVector<f64, D>> = held.iter().map(|&i| model.velocities[i]).collect();
+        let velocity = {
+            let held = held.clone();
+            move |i: usize, _time: f64| {
+                held.binary_search(&i).map_or_else(|_| SVector::zeros(), |at| velocities[at])
+            }
+        };
+        either!(self, patch => patch.drive(held, velocity));
+    }
+
+    /// Makes the columns the whole state: lists are made anew, then one evaluation; work is counted from here.
     pub fn renew(&mut self, model: &SolidModel<D>) -> Result<(), Error> {
         match self {
             Patch::Updated(old) => {
@@ -71,14 +82,28 @@ impl<const D: usize> Patch<D> {
                 fresh.densities = std::mem::take(&mut old.densities);
                 fresh.deviators = std::mem::take(&mut old.deviators);
                 fresh.equivalents = std::mem::take(&mut old.equivalents);
-                fresh.free = std::mem::take(&mut old.free);
                 **old = fresh;
                 old.evaluate(0.0);
             }
             // Its pairs never change, and contact does not depend on when its list was made.
             Patch::Total(patch) => patch.evaluate(),
         }
+        self.drive(model);
         Ok(())
+    }
+
+    /// Work of what moves particles since it was made or renewed \[J; J/m in the plane\].
+    pub fn driven_work(&self) -> f64 {
+        either!(self, patch => patch.driven_work())
+    }
+
+    /// Lets what moves freely keep a share of its velocity.
+    pub fn fade(&mut self, kept: f64) {
+        either!(self, patch => {
+            for (velocity, free) in patch.velocities.iter_mut().zip(&patch.free) {
+                *velocity -= velocity.component_mul(free) * (1.0 - kept);
+            }
+        });
     }
 
     /// One kick-drift-kick step \[s\].

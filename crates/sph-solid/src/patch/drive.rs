@@ -29,7 +29,7 @@ impl<const D: usize> Drive<D> {
         Self { members: Vec::new(), velocity: Box::new(|_, _| SVector::zeros()), work: 0.0 }
     }
 
-    /// From now on these and no others are moved.
+    /// From now on these and no others are moved, and work is counted.
     pub fn set(
         &mut self,
         mut members: Vec<usize>,
@@ -37,10 +37,10 @@ impl<const D: usize> Drive<D> {
     ) {
         members.sort_unstable();
         members.dedup();
-        (self.members, self.velocity) = (members, Box::new(velocity));
+        *self = Self { members, velocity: Box::new(velocity), work: 0.0 };
     }
 
-    /// Work of the drive since the start \[J; J/m in plane strain\].
+    /// Work of the drive since it was set \[J; J/m in plane strain\].
     pub fn work(&self) -> f64 {
         self.work
     }

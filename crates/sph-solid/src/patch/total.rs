@@ -92,7 +92,7 @@ pub struct MechanicalLedger {
     pub damped: f64,
     /// What the body acceleration brought.
     pub weight: f64,
-    /// Work of what moves particles ([`SolidPatch::drive`]).
+    /// Work of what moves particles since it was set ([`SolidPatch::drive`]).
     pub driven: f64,
     /// What [`SolidPatch::set_temperatures`] brought: elastic energy of the same shape at another temperature.
     pub warmed: f64,
@@ -237,6 +237,12 @@ impl<const D: usize> SolidPatch<D> {
         self.drive.set(members, velocity);
     }
 
+    /// Work of what moves particles since it was set \[J; J/m in plane strain\].
+    #[must_use]
+    pub fn driven_work(&self) -> f64 {
+        self.drive.work()
+    }
+
     /// From now on faces that meet push each other apart ([`Contact`]): those of separate bodies, and those of one body that
     /// are more than four spacings from each other in the reference.
     pub fn let_meet(&mut self, find: FindNeighbors<D>) {
@@ -337,7 +343,7 @@ impl<const D: usize> SolidPatch<D> {
     pub fn ledger(&self) -> MechanicalLedger {
         let [kinetic, elastic, hourglass] = self.energies();
         let contact = self.meeting.as_ref().map_or(0.0, |meeting| meeting.energy(&self.places));
-        MechanicalLedger { kinetic, elastic, hourglass, contact, driven: self.drive.work(), ..self.ledger }
+        MechanicalLedger { kinetic, elastic, hourglass, contact, driven: self.driven_work(), ..self.ledger }
     }
 
     /// Heat \[W; W/m in plane strain\] of the present velocities by the Gough-Joule effect, one entry per particle

@@ -120,7 +120,7 @@ impl<const D: usize> UpdatedPatch<D> {
         self.drive.set(members, velocity);
     }
 
-    /// Work of what moves particles since the start \[J; J/m in plane strain\].
+    /// Work of what moves particles since it was set \[J; J/m in plane strain\].
     #[must_use]
     pub fn driven_work(&self) -> f64 {
         self.drive.work()

@@ -131,8 +131,9 @@ pub const ARTIFICIAL_STRESS: Range = Range { or_zero: true, ..range("", 1e-3, 1.
 /// Linear expansion of a body of a scene of solids, rubber included.
 pub const BODY_EXPANSION: Range =
     Range { or_zero: true, ..range("1/K", 1e-8, 1e-2, &[("1e-6/K", 1e-6, 0.0)]) };
-/// Yield stress of such a body.
-pub const BODY_YIELD: Range = range("Pa", 1.0, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
+/// Yield stress of such a body; zero where it has melted.
+pub const BODY_YIELD: Range =
+    Range { or_zero: true, ..range("Pa", 1.0, 1e12, &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]) };
 /// Rate at which its velocities fade.
 pub const DAMPING: Range = Range { or_zero: true, ..range("1/s", 1e-6, 1e12, &[]) };
 /// Temperature above that of the start.

@@ -2,13 +2,14 @@
 
 use super::super::axes::Axes;
 use super::super::fluid::Body;
+use super::super::over_rise::OverRise;
 use super::super::problem::Problem;
 use super::super::solid::{Form, SOLID_FIELDS, Solid, SolidScene};
 use super::super::source::Source;
 use super::findings::Findings;
 use super::fluid::{check_tuples, check_whole, overlap};
 use super::plausible::{
-    ARTIFICIAL_STRESS, BODY_EXPANSION, BODY_YIELD, DAMPING, DURATION, FLUID_LENGTH, FLUID_PLACE,
+    ARTIFICIAL_STRESS, BODY_EXPANSION, BODY_YIELD, DAMPING, DISORDER, DURATION, FLUID_LENGTH, FLUID_PLACE,
     FLUID_SPACING, GRAVITY, LIQUID_DENSITY, POISSON, RADIUS, RISE, Range, SMOOTHING_RATIO, SOLID_YOUNG,
     VELOCITY, number,
 };
@@ -69,6 +70,8 @@ fn tuples(scene: &SolidScene) -> Vec<(String, &Axes, Range)> {
     for (index, hold) in scene.held.iter().enumerate() {
         all.push((format!("held.{index}.low_m"), &hold.low_m, FLUID_PLACE));
         all.push((format!("held.{index}.high_m"), &hold.high_m, FLUID_PLACE));
+        let velocity = hold.velocity_m_s.as_ref();
+        all.extend(velocity.map(|velocity| (format!("held.{index}.velocity_m_s"), velocity, VELOCITY)));
     }
     let spot = scene.heating.as_ref().and_then(|heating| heating.spot.as_ref());
     all.extend(spot.map(|spot| ("heating.spot.centre_m".to_string(), &spot.centre_m, FLUID_PLACE)));
@@ -81,9 +84,10 @@ fn check_values(findings: &mut Findings, scene: &SolidScene) {
     findings.within("material.density_kg_m3", material.density_kg_m3, &LIQUID_DENSITY);
     findings.within("material.young_pa", material.young_pa, &SOLID_YOUNG);
     findings.within("material.poisson", material.poisson, &POISSON);
-    findings.within("material.expansion_1_k", material.expansion_1_k, &BODY_EXPANSION);
-    if let Some(yield_pa) = material.yield_pa {
-        findings.within("material.yield_pa", yield_pa, &BODY_YIELD);
+    findings.within("disorder", scene.disorder, &DISORDER);
+    check_over_rise(findings, "material.expansion_1_k", &material.expansion_1_k, &BODY_EXPANSION);
+    if let Some(yield_pa) = &material.yield_pa {
+        check_over_rise(findings, "material.yield_pa", yield_pa, &BODY_YIELD);
     }
     findings.within("damping_1_s", scene.damping_1_s, &DAMPING);
     if let Some(ratio) = scheme.smoothing_ratio {
@@ -98,11 +102,34 @@ fn check_values(findings: &mut Findings, scene: &SolidScene) {
     check_heating(findings, scene);
 }
 
+/// A number, or a table whose rises ascend.
+fn check_over_rise(findings: &mut Findings, field: &str, value: &OverRise, range: &Range) {
+    let points = match value {
+        OverRise::Constant(value) => {
+            findings.within(field, *value, range);
+            return;
+        }
+        OverRise::Table(points) => points,
+    };
+    let remedy = "accepted: [(rise_k, value), ...] with at least two points, or a number";
+    findings.require(points.len() >= 2, field, "fewer than two points", remedy);
+    for (index, &(rise_k, value)) in points.iter().enumerate() {
+        findings.within(&format!("{field}.{index}.1"), value, range);
+        if findings.within(&format!("{field}.{index}.0"), rise_k, &RISE) && index > 0 {
+            let reason = format!("not above the rise before it, {} K", number(points[index - 1].0));
+            let remedy = "accepted: rises that ascend from point to point";
+            let ascends = points[index - 1].0 < rise_k;
+            findings.require(ascends, &format!("{field}.{index}.0"), &reason, remedy);
+        }
+    }
+}
+
 fn check_heating(findings: &mut Findings, scene: &SolidScene) {
     let Some(heating) = &scene.heating else { return };
     let reason = "a material that does not expand, so that it does nothing";
     let remedy = "give material.expansion_1_k, or leave heating out";
-    findings.require(scene.material.expansion_1_k > 0.0, "heating", reason, remedy);
+    let expands = scene.material.expansion_1_k.points().iter().any(|&(_, expansion)| expansion > 0.0);
+    findings.require(expands, "heating", reason, remedy);
     findings.require(!heating.nodes.is_empty(), "heating.nodes", "no nodes", "accepted: at least one");
     let mut before_s = 0.0;
     for (index, node) in heating.nodes.iter().enumerate() {
@@ -145,14 +172,16 @@ fn check_body(findings: &mut Findings, scene: &SolidScene, index: usize, body: &
             }
         }
     }
-    let speed = body
-        .velocity_m_s()
-        .map_or(0.0, |velocity| velocity.values().iter().map(|v| v * v).sum::<f64>().sqrt());
+    check_speed(findings, scene, &format!("bodies.{index}.velocity_m_s"), body.velocity_m_s());
+}
+
+fn check_speed(findings: &mut Findings, scene: &SolidScene, field: &str, velocity: Option<&Axes>) {
+    let speed = velocity.map_or(0.0, |velocity| velocity.values().iter().map(|v| v * v).sum::<f64>().sqrt());
     let most = LARGEST_SPEED * (scene.material.young_pa / scene.material.density_kg_m3).sqrt();
     let reason =
         format!("{} m/s, beyond half of sqrt(E/rho): an impact that no elastic body survives", number(speed));
     let remedy = format!("accepted: at most {} m/s", number(most));
-    findings.require(speed <= most, &format!("bodies.{index}.velocity_m_s"), &reason, remedy);
+    findings.require(speed <= most, field, &reason, remedy);
 }
 
 fn check_rows(findings: &mut Findings, scene: &SolidScene, field: &str, thickness_m: f64) {
@@ -185,6 +214,7 @@ fn check_held(findings: &mut Findings, scene: &SolidScene) {
         if !findings.require(ordered, &format!("{field}.high_m"), "not above low_m", remedy) {
             continue;
         }
+        check_speed(findings, scene, &format!("{field}.velocity_m_s"), hold.velocity_m_s.as_ref());
         let all = Body::Block { low_m: hold.low_m.clone(), high_m: hold.high_m.clone(), velocity_m_s: None };
         let holds = scene.bodies.iter().any(|body| overlap(&filled(body), &all, 0.0));
         findings.require(

@@ -14,7 +14,7 @@ mod heat;
 mod lattice;
 mod state;
 
-use super::{Column, Cost, Exchange, Failure, Mechanics, Physics};
+use super::{Column, Cost, Exchange, Failure, Mechanics, Physics, principal_extremes};
 use crate::build::Workpiece;
 use crate::model::{Model, ModelError, StressModel};
 use crate::particles::Particles;
@@ -190,8 +190,20 @@ impl Stress {
         in_plane.into_iter().map(|in_plane| SymmetricTensor { in_plane, out_of_plane: 0.0 }).collect()
     }
 
+<<<<<<< HEAD
     /// Gives the particles the heat of deformation in this step; where melt flows, those that a place of the body
     /// reads its temperature from share its heat.
+=======
+    /// What the particles of the scene show of a column of the body's.
+    fn shown<T: Copy>(&self, column: Vec<T>) -> Vec<T> {
+        match &self.lattice {
+            Some(lattice) => lattice.shown(&column),
+            None => column,
+        }
+    }
+
+    /// Gives the particles the heat of their deformation in this step.
+>>>>>>> scenes
     fn warm_particles(&mut self, particles: &mut Particles<3>) {
         let traces: Vec<f64> = match &self.heat {
             Some(_) => self.stresses().iter().map(|stress| stress.in_plane.trace()).collect(),
@@ -290,6 +302,7 @@ impl Physics<3> for Stress {
         let speeds = self.state.velocities.iter().map(|v| v.norm_squared());
         let kinetic: f64 = speeds.zip(self.body.masses()).map(|(square, mass)| 0.5 * mass * square).sum();
         let strain = self.body.elastic_energy(owned, &self.temperatures, &self.state.strains);
+        let stresses = self.stresses();
         Some(Mechanics {
             strain,
             thermoelastic: self
@@ -299,7 +312,8 @@ impl Physics<3> for Stress {
             deformed: self.state.deformed,
             unrest: kinetic / strain.max(f64::MIN_POSITIVE),
             largest_displacement: largest(&mut self.state.displacements[..owned].iter().map(|u| u.norm())),
-            largest_von_mises: largest(&mut self.stresses().iter().map(SymmetricTensor::von_mises)),
+            largest_von_mises: largest(&mut stresses.iter().map(SymmetricTensor::von_mises)),
+            principal_stresses: Some(principal_extremes(&stresses)),
             largest_plastic_strain: largest(&mut self.state.equivalents[..owned].iter().copied()),
             ..Mechanics::default()
         })
@@ -308,28 +322,13 @@ impl Physics<3> for Stress {
     fn columns(&self) -> Vec<(&'static str, Column<3>)> {
         let owned = self.state.velocities.len();
         let stresses = self.stresses();
-        let principal = |stress: &SymmetricTensor<3>| {
-            let mut values: [f64; 3] = stress.in_plane.symmetric_eigenvalues().into();
-            values.sort_by(|a, b| b.total_cmp(a));
-            Vector3::from(values)
-        };
-        let scalar = |column: Vec<f64>| {
-            Column::Scalar(match &self.lattice {
-                Some(lattice) => lattice.shown(&column),
-                None => column,
-            })
-        };
-        let vector = |column: Vec<Vector3<f64>>| {
-            Column::Vector(match &self.lattice {
-                Some(lattice) => lattice.shown(&column),
-                None => column,
-            })
-        };
+        let von_mises = stresses.iter().map(SymmetricTensor::von_mises).collect();
+        let principal = stresses.iter().map(SymmetricTensor::principal).collect();
         vec![
-            ("displacement_m", vector(self.state.displacements[..owned].to_vec())),
-            ("von_mises_pa", scalar(stresses.iter().map(SymmetricTensor::von_mises).collect())),
-            ("principal_stress_pa", vector(stresses.iter().map(principal).collect())),
-            ("plastic_strain", scalar(self.state.equivalents[..owned].to_vec())),
+            ("displacement_m", Column::Vector(self.shown(self.state.displacements[..owned].to_vec()))),
+            ("von_mises_pa", Column::Scalar(self.shown(von_mises))),
+            ("principal_stress_pa", Column::Triple(self.shown(principal))),
+            ("plastic_strain", Column::Scalar(self.shown(self.state.equivalents[..owned].to_vec()))),
         ]
     }
 
