@@ -23,7 +23,8 @@ pub fn artificial_acceleration<const D: usize>(
 }
 
 /// What neighbour k adds to the sum of [`artificial_acceleration`].
-#[inline]
+// A call of its own for each pair costs more than the term.
+#[inline(always)]
 pub(super) fn artificial_term<const D: usize>(
     row: &Row<'_, D>,
     fields: &Fields<'_, D>,

@@ -54,7 +54,8 @@ pub fn viscous_acceleration<const D: usize>(
 }
 
 /// What neighbour k adds to the sum of [`viscous_acceleration`].
-#[inline]
+// A call of its own for each pair costs more than the term.
+#[inline(always)]
 pub(super) fn shear_term<const D: usize>(
     row: &Row<'_, D>,
     fields: &Fields<'_, D>,
@@ -93,7 +94,8 @@ pub fn strain_acceleration<const D: usize>(
 }
 
 /// What neighbour k adds to the sum of [`strain_acceleration`].
-#[inline]
+// A call of its own for each pair costs more than the term.
+#[inline(always)]
 pub(super) fn strain_term<const D: usize>(
     row: &Row<'_, D>,
     fields: &Fields<'_, D>,
