@@ -5,11 +5,12 @@ mod surface;
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Friction, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait, ThermalExpansion, Viscosity,
-    acoustic_step, artificial_acceleration, artificial_heating, capillary_step,
+    Fields, Friction, PressureForce, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait,
+    ThermalExpansion, Viscosity, acoustic_step, artificial_acceleration, artificial_heating, capillary_step,
     conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate,
-    equivalent_viscosity, force_step, friction_heating, leading_part, strain_acceleration, tearing_speed,
-    viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
+    equivalent_viscosity, face_force, force_step, friction_heating, leading_part, strain_acceleration,
+    tearing_speed, viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state,
+    wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
@@ -56,6 +57,9 @@ pub struct FluidControls<const D: usize> {
     pub viscous_heating: bool,
     /// Whether continuity and pressure take corrected gradients, exact at the free surface, at the cost of a pass.
     pub corrected_gradients: bool,
+    /// How pressure acts; by its slope where a weight far above the forces of the flow holds a melt between walls. A tension that
+    /// pulls has no form that balances the slope, and is refused with it.
+    pub pressure: PressureForce,
 }
 
 impl<const D: usize> FluidControls<D> {
@@ -76,6 +80,7 @@ impl<const D: usize> FluidControls<D> {
             thermal_expansion: None,
             viscous_heating: false,
             corrected_gradients: false,
+            pressure: PressureForce::default(),
         }
     }
 
@@ -120,6 +125,9 @@ impl<const D: usize> FluidControls<D> {
         ] {
             require(value >= 0.0, name, value, "zero or above")?;
         }
+        let pulled = self.surface_tension.is_some_and(|tension| tension.pulls());
+        let balanced = self.pressure == PressureForce::Pairs || !pulled;
+        require(balanced, "surface_tension", 1.0, "none that pulls where pressure acts by its slope")?;
         self.body_acceleration
             .iter()
             .try_for_each(|&value| require(true, "body_acceleration", value, "finite"))
@@ -484,6 +492,7 @@ impl<const D: usize> FluidSweep<D> {
             corrections,
             friction,
             heating,
+            surface,
             ..
         } = self;
         let columns =
@@ -494,10 +503,12 @@ impl<const D: usize> FluidSweep<D> {
         let written = (accelerations, density_gradients, friction, heating).into_par_iter().enumerate();
         written.for_each_init(RowBuffer::default, |buffer, (i, (sum, density_gradient, friction, heat))| {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-            let pressure = if corrections.is_empty() {
-                volume_pressure_acceleration(&row, &columns)
-            } else {
-                conjugate_pressure_acceleration(&row, &columns, corrections)
+            let pressure = match controls.pressure {
+                PressureForce::Slope => slope_acceleration(&row, &columns, surface.as_ref()),
+                PressureForce::Pairs if corrections.is_empty() => {
+                    volume_pressure_acceleration(&row, &columns)
+                }
+                PressureForce::Pairs => conjugate_pressure_acceleration(&row, &columns, corrections),
             };
             *friction = friction_acceleration(&row, &columns, seen, viscosity, controls);
             *sum = controls.body_acceleration + pressure + *friction;
@@ -533,6 +544,25 @@ impl<const D: usize> FluidSweep<D> {
             *shift = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
         });
     }
+}
+
+/// Acceleration of a particle by the slope of pressure \[m/s^2\], below a free surface with the force of its face.
+fn slope_acceleration<const D: usize>(
+    row: &Row<'_, D>,
+    columns: &Fields<'_, D>,
+    surface: Option<&SurfaceBand<D>>,
+) -> SVector<f64, D> {
+    let (i, inverse) = (row.index, regularised_inverse(&moment(row, columns.volumes)));
+    let slope = gradient(row, columns.volumes, columns.pressures, &inverse);
+    let at_face = surface.map_or(SVector::zeros(), |surface| {
+        let (normal, depth) = &surface.planes()[i];
+        if *depth >= surface.profile().support() {
+            return SVector::zeros();
+        }
+        let weight = surface.profile().weight(depth.max(0.0));
+        face_force(columns.pressures[i], &slope, normal, *depth, weight)
+    });
+    (at_face - slope) / columns.densities[i]
 }
 
 /// Acceleration of a particle by viscosity and artificial viscosity \[m/s^2\]. `seen` are the velocities that friction sees.
