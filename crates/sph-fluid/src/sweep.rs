@@ -283,6 +283,13 @@ impl<const D: usize> FluidSweep<D> {
         &self.pressures
     }
 
+    /// Volumes \[m^D\] of all particles at the last evaluation; of walls those that their cells have under the pressure that they
+    /// carry.
+    #[must_use]
+    pub fn volumes(&self) -> &[f64] {
+        &self.volumes
+    }
+
     /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on each particle of fluid at the last evaluation; empty without tension, zero with
     /// [`SurfaceModel::Stress`], which has no force of its own for it.
     #[must_use]
@@ -440,7 +447,12 @@ impl<const D: usize> FluidSweep<D> {
         });
     }
 
-    /// Pressures of fluid and copies from densities, of walls from the fluid near them; velocities that friction sees.
+    /// Pressures of fluid and copies from densities, of walls from the fluid near them; velocities that friction sees; volumes of
+    /// walls.
+    ///
+    /// A wall shrinks under the pressure that it carries as fluid would (Adami, Hu and Adams 2012, eq. 28). With cells of fixed
+    /// size compressed fluid finds more volume in the wall than in itself, and the force of pairs drives it off, by the pressure
+    /// times that surplus: shifting leads particles back, continuity counts the flow alone, and the density runs away.
     fn update_states(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
         let mobile = fluid + fields.copies.len();
         let Self { controls, volumes, pressures, seen, even_densities, .. } = self;
@@ -450,10 +462,11 @@ impl<const D: usize> FluidSweep<D> {
             seen[i] = fields.velocities[i];
         }
         let (mobile_pressures, wall_pressures) = pressures.split_at_mut(mobile);
+        let (fluid_volumes, wall_volumes) = volumes.split_at_mut(mobile);
         let columns = Fields {
             masses: fields.masses,
             densities,
-            volumes,
+            volumes: fluid_volumes,
             pressures: mobile_pressures,
             velocities: fields.velocities,
         };
@@ -474,6 +487,10 @@ impl<const D: usize> FluidSweep<D> {
                 None => (0.0, own),
             };
         });
+        let reference = controls.state.reference_density();
+        for (volume, pressure) in wall_volumes.iter_mut().zip(wall_pressures) {
+            *volume *= reference / controls.state.density(*pressure);
+        }
     }
 
     /// Second pass: forces, the heat of friction, and the density gradients of the next diffusion.
