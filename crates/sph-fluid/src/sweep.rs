@@ -8,11 +8,12 @@ mod warmth;
 
 use crate::error::{Error, require};
 use crate::{
-    Fields, Friction, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait, ThermalExpansion, Viscosity,
-    acoustic_step, artificial_acceleration, artificial_heating, capillary_step,
+    Fields, Friction, PressureForce, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait,
+    ThermalExpansion, Viscosity, acoustic_step, artificial_acceleration, artificial_heating, capillary_step,
     conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate,
-    equivalent_viscosity, force_step, friction_heating, leading_part, strain_acceleration, tearing_speed,
-    viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
+    equivalent_viscosity, face_force, force_step, friction_heating, leading_part, strain_acceleration,
+    tearing_speed, viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state,
+    wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use near::NearRows;
@@ -61,6 +62,9 @@ pub struct FluidControls<const D: usize> {
     pub viscous_heating: bool,
     /// Whether continuity and pressure take corrected gradients, exact at the free surface, at the cost of a pass.
     pub corrected_gradients: bool,
+    /// How pressure acts; by its slope where a weight far above the forces of the flow holds a melt between walls. A tension that
+    /// pulls has no form that balances the slope, and is refused with it.
+    pub pressure: PressureForce,
 }
 
 impl<const D: usize> FluidControls<D> {
@@ -81,6 +85,7 @@ impl<const D: usize> FluidControls<D> {
             thermal_expansion: None,
             viscous_heating: false,
             corrected_gradients: false,
+            pressure: PressureForce::default(),
         }
     }
 
@@ -125,6 +130,9 @@ impl<const D: usize> FluidControls<D> {
         ] {
             require(value >= 0.0, name, value, "zero or above")?;
         }
+        let pulled = self.surface_tension.is_some_and(|tension| tension.pulls());
+        let balanced = self.pressure == PressureForce::Pairs || !pulled;
+        require(balanced, "surface_tension", 1.0, "none that pulls where pressure acts by its slope")?;
         self.body_acceleration
             .iter()
             .try_for_each(|&value| require(true, "body_acceleration", value, "finite"))
@@ -286,6 +294,13 @@ impl<const D: usize> FluidSweep<D> {
     #[must_use]
     pub fn pressures(&self) -> &[f64] {
         &self.pressures
+    }
+
+    /// Volumes \[m^D\] of all particles at the last evaluation; of walls those that their cells have under the pressure that they
+    /// carry.
+    #[must_use]
+    pub fn volumes(&self) -> &[f64] {
+        &self.volumes
     }
 
     /// Marangoni force \[N/m^3; N/m^2 in 2-D\] on each particle of fluid at the last evaluation; empty without tension, zero with
@@ -471,7 +486,12 @@ impl<const D: usize> FluidSweep<D> {
         );
     }
 
-    /// Pressures of fluid and copies from densities, of walls from the fluid near them; velocities that friction sees.
+    /// Pressures of fluid and copies from densities, of walls from the fluid near them; velocities that friction sees; volumes of
+    /// walls.
+    ///
+    /// A wall shrinks under the pressure that it carries as fluid would (Adami, Hu and Adams 2012, eq. 28). With cells of fixed
+    /// size compressed fluid finds more volume in the wall than in itself, and the force of pairs drives it off, by the pressure
+    /// times that surplus: shifting leads particles back, continuity counts the flow alone, and the density runs away.
     fn update_states(&mut self, fields: &FluidFields<'_, D>, densities: &[f64], fluid: usize) {
         let mobile = fluid + fields.copies.len();
         let Self { controls, buffers, volumes, pressures, seen, even_densities, .. } = self;
@@ -481,10 +501,11 @@ impl<const D: usize> FluidSweep<D> {
             seen[i] = fields.velocities[i];
         }
         let (mobile_pressures, wall_pressures) = pressures.split_at_mut(mobile);
+        let (fluid_volumes, wall_volumes) = volumes.split_at_mut(mobile);
         let columns = Fields {
             masses: fields.masses,
             densities,
-            volumes,
+            volumes: fluid_volumes,
             pressures: mobile_pressures,
             velocities: fields.velocities,
         };
@@ -508,6 +529,10 @@ impl<const D: usize> FluidSweep<D> {
                 };
             },
         );
+        let reference = controls.state.reference_density();
+        for (volume, pressure) in wall_volumes.iter_mut().zip(wall_pressures) {
+            *volume *= reference / controls.state.density(*pressure);
+        }
     }
 
     /// Second pass: forces, the heat of friction, and the density gradients of the next diffusion.
@@ -527,6 +552,7 @@ impl<const D: usize> FluidSweep<D> {
             corrections,
             friction,
             heating,
+            surface,
             ..
         } = self;
         let columns =
@@ -539,10 +565,12 @@ impl<const D: usize> FluidSweep<D> {
             || buffers.take(),
             |buffer, (i, (sum, density_gradient, friction, heat))| {
                 let row = buffer.fill(i, fields.neighbors(i), fields.positions, &controls.kernel);
-                let pressure = if corrections.is_empty() {
-                    volume_pressure_acceleration(&row, &columns)
-                } else {
-                    conjugate_pressure_acceleration(&row, &columns, corrections)
+                let pressure = match controls.pressure {
+                    PressureForce::Slope => slope_acceleration(&row, &columns, surface.as_ref()),
+                    PressureForce::Pairs if corrections.is_empty() => {
+                        volume_pressure_acceleration(&row, &columns)
+                    }
+                    PressureForce::Pairs => conjugate_pressure_acceleration(&row, &columns, corrections),
                 };
                 *friction = friction_acceleration(&row, &columns, seen, viscosity, controls);
                 *sum = controls.body_acceleration + pressure + *friction;
@@ -577,6 +605,25 @@ impl<const D: usize> FluidSweep<D> {
             *shift = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
         }
     }
+}
+
+/// Acceleration of a particle by the slope of pressure \[m/s^2\], below a free surface with the force of its face.
+fn slope_acceleration<const D: usize>(
+    row: &Row<'_, D>,
+    columns: &Fields<'_, D>,
+    surface: Option<&SurfaceBand<D>>,
+) -> SVector<f64, D> {
+    let (i, inverse) = (row.index, regularised_inverse(&moment(row, columns.volumes)));
+    let slope = gradient(row, columns.volumes, columns.pressures, &inverse);
+    let at_face = surface.map_or(SVector::zeros(), |surface| {
+        let (normal, depth) = &surface.planes()[i];
+        if *depth >= surface.profile().support() {
+            return SVector::zeros();
+        }
+        let weight = surface.profile().weight(depth.max(0.0));
+        face_force(columns.pressures[i], &slope, normal, *depth, weight)
+    });
+    (at_face - slope) / columns.densities[i]
 }
 
 /// Acceleration of a particle by viscosity and artificial viscosity \[m/s^2\]. `seen` are the velocities that friction sees.

@@ -8,6 +8,7 @@ mod fields;
 mod heating;
 mod pressure;
 mod renewal;
+mod slope;
 mod sound_speed;
 mod step_limits;
 mod tearing;
@@ -23,6 +24,7 @@ pub use fields::{Fields, leading_part};
 pub use heating::{artificial_heating, friction_heating};
 pub use pressure::{symmetric_pressure_acceleration, volume_pressure_acceleration};
 pub use renewal::Renewal;
+pub use slope::{PressureForce, face_force};
 pub use sound_speed::{SOUND_SPEED_RATIO, artificial_sound_speed};
 pub use step_limits::{
     ACOUSTIC_FACTOR, CAPILLARY_FACTOR, FORCE_FACTOR, VISCOUS_FACTOR, acoustic_step, capillary_step,

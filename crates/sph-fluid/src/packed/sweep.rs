@@ -4,7 +4,7 @@ use super::block_sweep::BlockSweep;
 use super::terms::Terms;
 use super::{PackedFields, PackedParticle, PackedRates, PackedRows};
 use crate::error::{Error, require};
-use crate::{FluidControls, Friction};
+use crate::{FluidControls, Friction, PressureForce};
 use nalgebra::SVector;
 use rayon::prelude::*;
 use sph_kernel::{CubicSpline, Gaussian, KernelKind, QuinticSpline, WendlandC2};
@@ -35,11 +35,13 @@ impl<const D: usize> PackedSweep<D> {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a coefficient that is negative or not finite, for a surface, corrected gradients,
-    /// thermal expansion and the heat of friction, which have no fast form.
+    /// pressure by its slope, thermal expansion and the heat of friction, which have no fast form.
     pub fn new(controls: FluidControls<D>) -> Result<Self, Error> {
         controls.check()?;
         let slow = controls.has_surface() || controls.corrected_gradients;
         require(!slow, "surface_tension, renewal or corrected_gradients", 1.0, "absent in a packed sweep")?;
+        let paired = controls.pressure == PressureForce::Pairs;
+        require(paired, "pressure", 1.0, "PressureForce::Pairs in a packed sweep")?;
         let warm = controls.thermal_expansion.is_some() || controls.viscous_heating;
         require(!warm, "thermal_expansion or viscous_heating", 1.0, "absent in a packed sweep")?;
         let sheared = controls.friction == Friction::Shear;

@@ -48,6 +48,33 @@ fn a_free_block_keeps_its_momentum() {
 }
 
 #[test]
+fn the_slope_of_pressure_holds_a_weight_in_any_disorder_and_pairs_do_not() {
+    let mut block = Block::<2>::new(9, 0.2);
+    let weight = SVector::from([0.0, -9.0]);
+    let state = controls().state;
+    block.densities = block.positions.iter().map(|r| state.density(200.0 - 9.0 * 2.0 * r.y)).collect();
+    // What is left of the weight, with the density that pressure gives: the middle of the block, which sees no face.
+    let left = |pressure| {
+        let controls = FluidControls { pressure, corrected_gradients: true, ..controls() };
+        let controls = FluidControls { dynamic_viscosity: 0.0, artificial_viscosity: 0.0, ..controls };
+        let (_, accelerations) = evaluated(&block, controls, 0.0);
+        let middle = Block::<2>::middle(9);
+        (accelerations[middle] * block.densities[middle] / 2.0 + weight).norm()
+    };
+    assert!(left(PressureForce::Slope) < 1e-9, "{}", left(PressureForce::Slope));
+    assert!(left(PressureForce::Pairs) > 1.0, "{}", left(PressureForce::Pairs));
+}
+
+#[test]
+fn a_tension_that_pulls_is_refused_with_the_slope_of_pressure() {
+    let slope = FluidControls { pressure: PressureForce::Slope, ..controls() };
+    let tense = |tension| Some(SurfaceTension::new(tension, -0.1, 0.0).unwrap());
+    assert!(FluidSweep::new(FluidControls { surface_tension: tense(0.0), ..slope }).is_ok());
+    let refused = FluidSweep::new(FluidControls { surface_tension: tense(0.7), ..slope }).unwrap_err();
+    assert!(refused.to_string().contains("slope"), "{refused}");
+}
+
+#[test]
 fn density_advances_before_forces_by_continuity_and_diffusion() {
     let block = Block::<2>::new(7, 0.2);
     let without = FluidControls { density_diffusion: 0.0, ..controls() };

@@ -190,10 +190,6 @@ impl Stress {
         in_plane.into_iter().map(|in_plane| SymmetricTensor { in_plane, out_of_plane: 0.0 }).collect()
     }
 
-<<<<<<< HEAD
-    /// Gives the particles the heat of deformation in this step; where melt flows, those that a place of the body
-    /// reads its temperature from share its heat.
-=======
     /// What the particles of the scene show of a column of the body's.
     fn shown<T: Copy>(&self, column: Vec<T>) -> Vec<T> {
         match &self.lattice {
@@ -202,8 +198,8 @@ impl Stress {
         }
     }
 
-    /// Gives the particles the heat of their deformation in this step.
->>>>>>> scenes
+    /// Gives the particles the heat of deformation in this step; where melt flows, those that a place of the body
+    /// reads its temperature from share its heat.
     fn warm_particles(&mut self, particles: &mut Particles<3>) {
         let traces: Vec<f64> = match &self.heat {
             Some(_) => self.stresses().iter().map(|stress| stress.in_plane.trace()).collect(),

@@ -127,10 +127,10 @@ impl<const D: usize> Fluid<D> {
     /// Forces of the fluid on the first `count` particles of the walls \[N; N/m in 2-D\]: pair by pair the opposite of what
     /// pressure and artificial viscosity do to the fluid. Friction is left out, so that the controls must have none.
     pub fn forces_on_walls(&self, count: usize) -> Vec<SVector<f64, D>> {
-        let Columns { positions, velocities, densities, masses } = &self.columns;
-        let volumes: Vec<f64> = masses.iter().zip(densities).map(|(mass, density)| mass / density).collect();
-        let pressures = self.sweep.pressures();
-        let columns = Fields { masses, densities, volumes: &volumes, pressures, velocities };
+        let Columns { positions, velocities, masses, .. } = &self.columns;
+        let (volumes, pressures) = (self.sweep.volumes(), self.sweep.pressures());
+        let densities: Vec<f64> = masses.iter().zip(volumes).map(|(mass, volume)| mass / volume).collect();
+        let columns = Fields { masses, densities: &densities, volumes, pressures, velocities };
         let kernel = &self.controls.kernel;
         let sound_speed = self.controls.state.reference_sound_speed();
         let mut buffer = RowBuffer::default();

@@ -3,7 +3,6 @@
 use super::super::benchmark::{larger, relative};
 use super::super::{Benchmark, BenchmarkError, Mark, Outcome, Quantity};
 use super::{find, outcome};
-use sph_fluid::Renewal;
 use sph_fluid::benchmarks::cavity::{CASES, Cavity, CavityCase, CavityReference};
 
 /// When it is measured \[H/U\].
@@ -67,7 +66,7 @@ pub(in super::super) const RE_100: Benchmark = Benchmark {
 
 fn run(resolution: f64, case: CavityCase) -> Result<Outcome, BenchmarkError> {
     let reference = CavityReference::new(INTERVALS, case.reynolds, case.prandtl);
-    let mut cavity = Cavity::new(resolution as usize, case, Some(Renewal::default()), true, find)?;
+    let mut cavity = Cavity::new(resolution as usize, case, true, find)?;
     let means = TIMES.map(|time| cavity.means(time, &reference));
     let speeds = means.map(|means| means.speed);
     let (least, most) =

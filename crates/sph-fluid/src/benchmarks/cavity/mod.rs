@@ -9,7 +9,8 @@ use super::fit::velocity_at;
 use super::largest;
 use super::lattice::{Site, WALL_ROWS, lattice};
 use crate::{
-    Conduction, Error, FindNeighbors, FluidControls, FluidPatch, PatchStart, Renewal, SurfaceTension, Tait,
+    Conduction, Error, FindNeighbors, FluidControls, FluidPatch, PatchStart, PressureForce, Renewal,
+    SurfaceTension, Tait,
 };
 use nalgebra::Vector2;
 use sph_kernel::KernelKind;
@@ -66,18 +67,13 @@ pub struct CavityMeans {
 }
 
 impl Cavity {
-    /// At rest under its weight, its temperature falling evenly from the hot side to the cold one. Without renewal and corrected
-    /// gradients its flow stalls.
+    /// At rest under its weight, its temperature falling evenly from the hot side to the cold one. With `cured` the rows of the
+    /// top are renewed, continuity is corrected and pressure acts by its slope: without the first two the flow stalls, and without
+    /// the last half of the error of its field is noise.
     ///
     /// # Errors
     /// [`Error`] of the sweep.
-    pub fn new(
-        rows: usize,
-        case: CavityCase,
-        renewal: Option<Renewal>,
-        corrected_gradients: bool,
-        find: FindNeighbors<2>,
-    ) -> Result<Self, Error> {
+    pub fn new(rows: usize, case: CavityCase, cured: bool, find: FindNeighbors<2>) -> Result<Self, Error> {
         let (n, viscosity) = (rows as i32, 1.0 / case.reynolds);
         let inside = 0..n;
         // The walls stand above the top: a corner particle that gets over a wall level with it would fall behind.
@@ -95,8 +91,9 @@ impl Cavity {
             density_diffusion: 0.1,
             body_acceleration: Vector2::new(0.0, -GRAVITY),
             surface_tension: Some(SurfaceTension::new(0.0, -viscosity, 0.0)?),
-            renewal,
-            corrected_gradients,
+            renewal: cured.then(Renewal::default),
+            corrected_gradients: cured,
+            pressure: if cured { PressureForce::Slope } else { PressureForce::Pairs },
             ..FluidControls::new(kernel, Tait::new(1.0, SOUND_SPEED, 7.0)?)
         };
         let start = PatchStart {
