@@ -124,12 +124,14 @@ impl<const D: usize> SurfaceBand<D> {
     }
 
     fn mark(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
-        let Self { kernel, gradients, flags, .. } = self;
+        let Self { kernel, profile, gradients, colour_depths, flags, .. } = self;
         let mobile = fluid + fields.copies.len();
         gradients[mobile..].fill(SVector::zeros());
         flags[..fluid].par_iter_mut().enumerate().for_each_init(RowBuffer::default, |buffer, (i, flag)| {
             let length = kernel.smoothing_length();
-            if may_be_surface(&gradients[i], length) {
+            // A gradient without a void is that of a crowd below: the force of one such particle tore a pool.
+            let sees_a_void = colour_depths[i] < profile.support();
+            if may_be_surface(&gradients[i], length) && sees_a_void {
                 let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
                 *flag = is_surface(&row, gradients, length);
             }
