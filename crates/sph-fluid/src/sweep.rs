@@ -8,8 +8,9 @@ use crate::{
     Fields, Friction, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait, ThermalExpansion, Viscosity,
     acoustic_step, artificial_acceleration, artificial_heating, capillary_step,
     conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate,
-    equivalent_viscosity, force_step, friction_heating, leading_part, strain_acceleration, tearing_speed,
-    viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state, wall_velocity,
+    equivalent_viscosity, force_step, friction_heating, leading_part, shift_beside_surface,
+    strain_acceleration, tearing_speed, viscous_acceleration, viscous_step, volume_pressure_acceleration,
+    wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
@@ -527,10 +528,18 @@ impl<const D: usize> FluidSweep<D> {
             let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
             let crowding = concentration_gradient(&row, masses, reference_density);
             let (normal, depth) = &surface.planes()[i];
-            let flat =
-                if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
+            let near = *depth < profile.support();
+            let flat = if near { normal * profile.weight(*depth) } else { SVector::zeros() };
             let tearing = TEARING_SHARE * tearing_speed(pressures[i], reference_density, viscosity, length);
-            *shift = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
+            let wanted = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
+            *shift = if near {
+                shift_beside_surface(&wanted, normal, surface.agreements()[i])
+            } else if surface.flags()[i] {
+                // A torn surface has no side to shift along.
+                SVector::zeros()
+            } else {
+                wanted
+            };
         });
     }
 }
