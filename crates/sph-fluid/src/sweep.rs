@@ -11,9 +11,9 @@ use crate::{
     Fields, Friction, PressureForce, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait,
     ThermalExpansion, Viscosity, acoustic_step, artificial_acceleration, artificial_heating, capillary_step,
     conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate,
-    equivalent_viscosity, face_force, force_step, friction_heating, leading_part, strain_acceleration,
-    tearing_speed, viscous_acceleration, viscous_step, volume_pressure_acceleration, wall_state,
-    wall_velocity,
+    equivalent_viscosity, face_force, force_step, friction_heating, leading_part, shift_beside_surface,
+    strain_acceleration, tearing_speed, viscous_acceleration, viscous_step, volume_pressure_acceleration,
+    wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use near::NearRows;
@@ -598,11 +598,19 @@ impl<const D: usize> FluidSweep<D> {
         for (i, shift) in self.shifts.iter_mut().enumerate() {
             let crowding = self.crowding[i] / reference_density;
             let (normal, depth) = &surface.planes()[i];
-            let flat =
-                if *depth < profile.support() { normal * profile.weight(*depth) } else { SVector::zeros() };
+            let near = *depth < profile.support();
+            let flat = if near { normal * profile.weight(*depth) } else { SVector::zeros() };
             let tearing =
                 TEARING_SHARE * tearing_speed(self.pressures[i], reference_density, viscosity, length);
-            *shift = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
+            let wanted = renewal.shift_velocity(&crowding, &flat, length, largest_speed.max(tearing));
+            *shift = if near {
+                shift_beside_surface(&wanted, normal, surface.agreements()[i])
+            } else if surface.flags()[i] {
+                // A torn surface has no side to shift along.
+                SVector::zeros()
+            } else {
+                wanted
+            };
         }
     }
 }

@@ -5,7 +5,7 @@ use super::heat::{
     constant_flux, cosine_decay, evaporation, gaussian_field, gaussian_spot, half_spaces, moving_gaussian,
     mushy_stefan, stefan, top_hat,
 };
-use super::melt::{cavities, channels, drops, layers, pools, surfaces, vortices, warmths, waters};
+use super::melt::{cavities, channels, drops, layers, pools, squares, surfaces, vortices, warmths, waters};
 use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
 use super::{Benchmark, round_off, weld};
 
@@ -27,6 +27,7 @@ static BENCHMARKS: &[Benchmark] = &[
     waters::STANDING_WAVE,
     waters::DAM_BREAK,
     vortices::TAYLOR_GREEN,
+    squares::ROTATING,
     drops::AT_REST,
     drops::BALL,
     drops::SWINGING,

@@ -23,7 +23,7 @@ pub use density_diffusion::{corrected_diffusion, plain_diffusion};
 pub use fields::{Fields, leading_part};
 pub use heating::{artificial_heating, friction_heating};
 pub use pressure::{symmetric_pressure_acceleration, volume_pressure_acceleration};
-pub use renewal::Renewal;
+pub use renewal::{Renewal, shift_beside_surface};
 pub use slope::{PressureForce, face_force};
 pub use sound_speed::{SOUND_SPEED_RATIO, artificial_sound_speed};
 pub use step_limits::{

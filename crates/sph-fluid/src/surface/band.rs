@@ -29,6 +29,8 @@ pub struct SurfaceBand<const D: usize> {
     curvatures: Vec<f64>,
     /// Outward normal of the smoothed surface and depth below it, infinite away from it.
     planes: Vec<(SVector<f64, D>, f64)>,
+    /// How far the normals of the band near a particle of fluid agree.
+    agreements: Vec<f64>,
 }
 
 impl<const D: usize> SurfaceBand<D> {
@@ -47,6 +49,7 @@ impl<const D: usize> SurfaceBand<D> {
             raw_curvatures: Vec::new(),
             curvatures: Vec::new(),
             planes: Vec::new(),
+            agreements: Vec::new(),
         }
     }
 
@@ -80,6 +83,13 @@ impl<const D: usize> SurfaceBand<D> {
         &self.planes
     }
 
+    /// How far the normals of the surface near a particle agree \[-\]: one under a plane, less where the surface bends or folds, zero
+    /// where it is torn and away from it.
+    #[must_use]
+    pub fn agreements(&self) -> &[f64] {
+        &self.agreements
+    }
+
     /// Finds the surface of `fluid` particles and their copies; `bends` also measures curvature.
     pub fn measure(&mut self, fields: &FluidFields<'_, D>, volumes: &[f64], fluid: usize, bends: bool) {
         self.fit(fields.positions.len());
@@ -101,6 +111,7 @@ impl<const D: usize> SurfaceBand<D> {
         self.raw_curvatures.resize(particles, 0.0);
         self.curvatures.resize(particles, 0.0);
         self.planes.resize(particles, (SVector::zeros(), f64::INFINITY));
+        self.agreements.resize(particles, 0.0);
         // Where fluid and copies change in number, walls take the places of both.
         self.flags.fill(false);
     }
@@ -129,14 +140,16 @@ impl<const D: usize> SurfaceBand<D> {
     }
 
     fn mark(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
-        let Self { kernel, buffers, gradients, flags, .. } = self;
+        let Self { kernel, profile, buffers, gradients, colour_depths, flags, .. } = self;
         let mobile = fluid + fields.copies.len();
         gradients[mobile..].fill(SVector::zeros());
         flags[..fluid].par_iter_mut().enumerate().for_each_init(
             || buffers.take(),
             |buffer, (i, flag)| {
                 let length = kernel.smoothing_length();
-                if may_be_surface(&gradients[i], length) {
+                // A gradient without a void is that of a crowd below: the force of one such particle tore a pool.
+                let sees_a_void = colour_depths[i] < profile.support();
+                if may_be_surface(&gradients[i], length) && sees_a_void {
                     let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
                     *flag = is_surface(&row, gradients, length);
                 }
@@ -163,16 +176,19 @@ impl<const D: usize> SurfaceBand<D> {
     }
 
     fn find_planes(&mut self, fields: &FluidFields<'_, D>, fluid: usize) {
-        let Self { kernel, buffers, gradients, flags, normals, offset_depths, planes, .. } = self;
+        let Self { kernel, buffers, gradients, flags, normals, offset_depths, planes, agreements, .. } = self;
         let central = kernel.value(0.0);
-        planes[..fluid].par_iter_mut().enumerate().for_each_init(
+        let written = planes[..fluid].par_iter_mut().zip(agreements[..fluid].par_iter_mut()).enumerate();
+        written.for_each_init(
             || buffers.take(),
-            |buffer, (i, plane)| {
-                *plane = (SVector::zeros(), f64::INFINITY);
+            |buffer, (i, (plane, agreement))| {
+                (*plane, *agreement) = ((SVector::zeros(), f64::INFINITY), 0.0);
                 if near_band(fields, flags, i) {
                     let row = buffer.fill(i, fields.neighbors(i), fields.positions, kernel);
                     let found = plane_of_surface(&row, gradients, normals, offset_depths, flags, central);
-                    *plane = found.unwrap_or(*plane);
+                    if let Some((normal, depth, length)) = found {
+                        (*plane, *agreement) = ((normal, depth), length);
+                    }
                 }
             },
         );

@@ -76,10 +76,11 @@ pub fn smoothed_normal<const D: usize>(
     -unit_or_zero(&sum)
 }
 
-/// Normal of the smoothed surface over a particle, and the particle's depth below it \[m\]; `None` away from the band.
+/// Normal of the smoothed surface over a particle, the particle's depth below it \[m\], and how far the band's normals agree \[-\]: one
+/// under a plane, less where the surface bends or folds. `None` away from the band, and where it is torn.
 ///
-/// N = mean of n_b over the band with weights |grad C_b| W, s = N . mean of (x_b + d_b n_b - x_a). `normals`, depths
-/// `depths` of particles below the surface \[m\], `gradients` and `flags` belong to all particles.
+/// N = mean of n_b over the band with weights |grad C_b| W, whose length is the third, s = N . mean of (x_b + d_b n_b - x_a). `normals`,
+/// depths `depths` of particles below the surface \[m\], `gradients` and `flags` belong to all particles.
 #[must_use]
 pub fn plane_of_surface<const D: usize>(
     row: &Row<'_, D>,
@@ -88,7 +89,7 @@ pub fn plane_of_surface<const D: usize>(
     depths: &[f64],
     flags: &[bool],
     central_value: f64,
-) -> Option<(SVector<f64, D>, f64)> {
+) -> Option<(SVector<f64, D>, f64, f64)> {
     let (mut total, mut normal, mut point) = (0.0, SVector::zeros(), SVector::zeros());
     let mut add = |b: usize, value: f64, towards: SVector<f64, D>| {
         let weight = gradients[b].norm() * value;
@@ -106,5 +107,6 @@ pub fn plane_of_surface<const D: usize>(
     }
     let mean = normal / total;
     let length = mean.norm();
-    (total > 0.0 && length >= SHORTEST_MEAN).then(|| (mean / length, (mean / length).dot(&point) / total))
+    let found = || (mean / length, (mean / length).dot(&point) / total, length);
+    (total > 0.0 && length >= SHORTEST_MEAN).then(found)
 }

@@ -58,6 +58,28 @@ fn a_plane_has_its_area_and_no_curvature() {
     assert!(patch.accelerations().iter().all(|a: &Vector2<f64>| a.norm() < 1e-9));
 }
 
+#[test]
+fn a_crowd_below_the_rows_of_a_surface_is_no_surface() {
+    // A particle more, half a spacing below the third row: the gradient at the particle above it is 0.24/h, towards the body as at a
+    // surface, and its colour 1.2.
+    let (rows, columns) = (12, 16);
+    let spacing = 1.0 / rows as f64;
+    let site = |k: usize| Vector2::new((k % columns) as f64 + 0.5, (k / columns) as f64 + 0.5) * spacing;
+    let mut positions: Vec<_> = (0..rows * columns).map(site).collect();
+    let (crowded, deeper) = (9 * columns + 8, 7 * columns + 8);
+    positions.push(positions[crowded] - Vector2::new(0.0, 0.5 * spacing));
+    let areas = vec![spacing * spacing; positions.len()];
+    let period = columns as f64 * spacing;
+    let start = PatchStart { periods: [Some(period), None], ..PatchStart::free(positions, areas, spacing) };
+    let patch = FluidPatch::new(start, tense(SCHEME, spacing).unwrap(), find).unwrap();
+    let surface = patch.sweep().surface().unwrap();
+    let steepness = surface.gradients()[crowded].norm() * 1.5 * spacing;
+    assert!(steepness > 0.2, "{steepness}");
+    assert!(!surface.flags()[crowded] && surface.flags()[11 * columns + 8]);
+    // Out of reach of the two rows of the surface: no plane, no curvature, no force of tension.
+    assert_eq!((surface.planes()[deeper].1, surface.curvatures()[deeper]), (f64::INFINITY, 0.0));
+}
+
 /// sum m a.x of a round body of radius 1 without pressure, over -(D - 1) tau A, what tension along its area A does: the pressure that a
 /// stress of the surface makes over Laplace's.
 fn virial<const D: usize>(

@@ -5,6 +5,7 @@ pub(super) mod channels;
 pub(super) mod drops;
 pub(super) mod layers;
 pub(super) mod pools;
+pub(super) mod squares;
 pub(super) mod surfaces;
 pub(super) mod vortices;
 pub(super) mod warmths;
