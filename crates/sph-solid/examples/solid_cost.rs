@@ -7,7 +7,10 @@
 //! Threads as RAYON_NUM_THREADS says. Lines that begin with RESULT are for programs: seconds of the clock and of the
 //! processor for all steps.
 
+mod processor;
+
 use nalgebra::{SVector, Vector3};
+use processor::processor_seconds;
 use rayon::prelude::*;
 use sph_kernel::KernelKind;
 use sph_neighbors::{NeighborList, PairReach, SearchMethod, SkinnedList, spatial_order};
@@ -163,14 +166,6 @@ fn kick_and_drift(
         *velocity += acceleration * dt;
         *place += *velocity * dt;
     });
-}
-
-/// Time of all threads of this process on processors \[s\] to a hundredth; zero where there is no /proc.
-fn processor_seconds() -> f64 {
-    let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
-    // User and system time, in ticks of a hundredth; the name before them may hold blanks, but ends with a bracket.
-    let fields = text.rsplit(')').next().unwrap_or_default().split_whitespace();
-    fields.skip(11).take(2).filter_map(|field| field.parse::<f64>().ok()).sum::<f64>() / 100.0
 }
 
 fn main() -> Result<(), Error> {

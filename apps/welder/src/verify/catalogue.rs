@@ -6,7 +6,7 @@ use super::heat::{
     mushy_stefan, stefan, top_hat,
 };
 use super::melt::{cavities, channels, drops, layers, pools, squares, surfaces, vortices, warmths, waters};
-use super::solid::{clamped_plate, heated, rings, rotation, round, swings, waves};
+use super::solid::{clamped_plate, heated, rings, rotation, round, stability, swings, waves};
 use super::{Benchmark, round_off, weld};
 
 static BENCHMARKS: &[Benchmark] = &[
@@ -48,7 +48,10 @@ static BENCHMARKS: &[Benchmark] = &[
     waves::SHEAR,
     waves::BAR,
     waves::PLATE,
+    stability::PLANE,
+    stability::SPACE,
     swings::PLATE,
+    swings::CLAMPED,
     swings::AMPLITUDE_KEPT,
     swings::BEAM,
     rotation::TURNED,

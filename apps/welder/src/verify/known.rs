@@ -45,6 +45,14 @@ const KNOWN: &[Known] = &[
         entry: "coupled/cup/hu-eberhard-2015-speed",
         guards: &[Mark { resolution: 8.0, error: 0.06 }, Mark { resolution: 12.0, error: 0.06 }],
     },
+    Known {
+        entry: "solid/rings/zigzag-hardest",
+        guards: &[
+            Mark { resolution: 6.0, error: 0.22 },
+            Mark { resolution: 8.0, error: 0.2 },
+            Mark { resolution: 10.0, error: 0.22 },
+        ],
+    },
     Known { entry: "coupled/gallium", guards: &[Mark { resolution: 28.0, error: 0.11 }] },
     Known { entry: "melt/cavity/field", guards: &[Mark { resolution: 36.0, error: 0.14 }] },
     Known { entry: "melt/half-sphere-pool/field", guards: &[Mark { resolution: 8.0, error: 0.6 }] },

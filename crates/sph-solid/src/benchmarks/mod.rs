@@ -9,6 +9,7 @@ pub mod rings;
 pub mod rotation;
 pub mod round;
 pub mod shapes;
+pub mod stability;
 pub mod thermal;
 pub mod waves;
 

@@ -21,6 +21,9 @@ const PLATE: [f64; 2] = [0.2, 0.02];
 /// Speed of the tip at the start \[m/s\]: a thousandth of sqrt(K/rho).
 const AMPLITUDE: f64 = 0.057_009;
 
+/// Steps over h/c_P.
+const STEP: f64 = 0.6;
+
 /// When to give up waiting for half a period \[s\].
 const LONGEST: f64 = 0.25;
 
@@ -31,6 +34,8 @@ pub struct Swing<Patch> {
     pub period: f64,
     /// Relative change of total energy over half a period; what viscosity takes counts as change.
     pub energy: f64,
+    /// Steps of it.
+    pub steps: u64,
     /// The plate.
     pub patch: Patch,
 }
@@ -68,7 +73,7 @@ pub fn amplitude_after(
     patch.hold(|position| position.x < 0.0);
     patch.set_velocities(|x| Vector2::new(0.0, AMPLITUDE * first_mode(x.x / PLATE[0])));
     let shape = patch.velocities.clone();
-    let dt = patch.body().stable_step(0.6);
+    let dt = patch.body().stable_step(STEP);
     patch.evaluate();
     let mut largest_in = |steps: usize| {
         let elongation = |_| {
@@ -116,14 +121,15 @@ fn swing(
     let mut patch = SolidPatch::new(start, find)?;
     patch.hold(fixed);
     let mode = |x: &Vector2<f64>| Vector2::new(0.0, first_mode(x.x / PLATE[0]));
-    let half = half_period(&mut patch, mode, AMPLITUDE, 0.6, LONGEST);
+    let half = half_period(&mut patch, mode, AMPLITUDE, STEP, LONGEST);
     let start = |i: usize| {
         let speed = AMPLITUDE * first_mode(patch.positions()[i].x / PLATE[0]) * patch.free[i].y;
         0.5 * patch.body().masses()[i] * speed * speed
     };
     let start: f64 = (0..patch.positions().len()).map(start).sum();
     let energy = patch.energies().iter().sum::<f64>() / start - 1.0;
-    Ok(Swing { period: 2.0 * half, energy, patch })
+    let steps = (patch.time / patch.body().stable_step(STEP)).round() as u64;
+    Ok(Swing { period: 2.0 * half, energy, steps, patch })
 }
 
 /// The clamped plate with the updated-Lagrangian form, a whole number of the controls' spacings high.
@@ -144,14 +150,14 @@ pub fn updated(
         }
     }
     let shape = patch.velocities.clone();
-    let (energy, dt) = (patch.kinetic_energy(), patch.stable_step(0.6));
+    let (energy, dt) = (patch.kinetic_energy(), patch.stable_step(STEP));
     patch.evaluate(0.0);
     let half = time_of_return(dt, LONGEST, || {
         patch.step(dt);
         (0..start.len()).map(|i| (patch.positions[i] - start[i]).dot(&shape[i])).sum()
     });
     let energy = (patch.kinetic_energy() + patch.elastic_energy()) / energy - 1.0;
-    Ok(Swing { period: 2.0 * half, energy, patch })
+    Ok(Swing { period: 2.0 * half, energy, steps: (patch.time / dt).round() as u64, patch })
 }
 
 /// First mode of a cantilever beam, 1 at the tip (x = 1), zero behind the root.

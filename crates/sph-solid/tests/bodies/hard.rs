@@ -17,7 +17,8 @@ fn thirty_periods_leave_the_amplitude() {
     assert!((kept - 1.0).abs() < 0.05, "{kept}");
 }
 
-/// A beam of 10 x 1 mm, clamped behind its root, that sags under its weight; `cells` over the height, with all of its energies.
+/// A beam of 10 x 1 mm, clamped behind its root, that sags under its weight; `cells` over the height. Sag of the tip over that of
+/// Timoshenko's beam in plane strain, built in, and energy of the stiffness against zero-energy modes over the elastic one.
 fn sag(poisson: f64, cells: usize) -> (f64, f64) {
     let (height, young, density, weight) = (1e-3, 1e6, 1000.0, 1.0);
     let spacing = height / cells as f64;
@@ -31,21 +32,27 @@ fn sag(poisson: f64, cells: usize) -> (f64, f64) {
     // The beam's slowest wave is (L/H)^2/3.5 slower than sound over its length.
     beam.settle(30.0 * length, 16.0);
     let tip = beam.mean(|x| x.x > length - spacing, |i| -beam.displacements[i].y);
-    let bending = young / (1.0 - poisson * poisson) * height.powi(3) / 12.0;
-    let exact = density * weight * height * length.powi(4) / (8.0 * bending);
+    let (load, bending) =
+        (density * weight * height, young / (1.0 - poisson * poisson) * height.powi(3) / 12.0);
+    // A rectangle takes 5/6 of its face to shear.
+    let shear = 5.0 / 6.0 * moduli.shear_pa() * height;
+    let exact = load * length.powi(4) / (8.0 * bending) + load * length.powi(2) / (2.0 * shear);
     let [_, elastic, hourglass] = beam.energies();
     (tip / exact, hourglass / elastic)
 }
 
+/// Six particles across are too soft by a tenth, as in the swinging plate; what grows with Poisson's ratio is stiffness, of the control of
+/// zero-energy modes. Locking would show as a tip that stays behind (0.60 where that stiffness followed K).
 #[test]
 fn a_beam_that_hardly_changes_its_volume_does_not_lock() {
-    let found = [0.3, 0.45, 0.49].map(|poisson| sag(poisson, 6));
-    for ((tip, hourglass), poisson) in found.iter().zip([0.3, 0.45, 0.49]) {
+    for (poisson, mark) in [(0.3, 0.14), (0.45, 0.048), (0.49, 0.017)] {
+        let (tip, hourglass) = sag(poisson, 6);
         println!(
-            "sagging beam, 6 across, nu {poisson}: tip {tip:.3} of thin-plate theory, hourglass {hourglass:.3}"
+            "sagging beam, 6 across, nu {poisson}: tip {tip:.4} of Timoshenko's, hourglass {hourglass:.3}"
         );
+        assert!((tip - 1.0).abs() < mark, "{tip}");
+        assert!(hourglass < 0.13, "{hourglass}");
     }
-    assert!(found.iter().all(|(tip, _)| (tip - 1.0).abs() < 0.15), "{found:?}");
 }
 
 #[test]
@@ -75,6 +82,8 @@ fn a_heated_corner_is_in_equilibrium_and_alike_on_both_sides() {
     assert!(worst < 1e-6 && largest < 1.5 && load < 0.5, "{worst} {largest} {load}");
 }
 
+/// Relative L2 error of stress within 0.85 R of a disc whose particles are shifted along each axis by up to 0, 0.1 and 0.2 spacings
+/// at random and keep the volume of a cell: most of it is scatter from particle to particle.
 #[test]
 fn a_disc_of_particles_without_order_keeps_its_stress() {
     let cells = 20;

@@ -5,6 +5,7 @@ pub(super) mod heated;
 pub(super) mod rings;
 pub(super) mod rotation;
 pub(super) mod round;
+pub(super) mod stability;
 pub(super) mod swings;
 pub(super) mod waves;
 

@@ -4,7 +4,7 @@ use super::super::benchmark::relative;
 use super::super::{Benchmark, Mark, Quantity};
 use super::{find, outcome};
 use sph_solid::benchmarks::beam::{AMPLITUDE, FREQUENCY, MEAN, swinging_beam};
-use sph_solid::benchmarks::plate::{BETWEEN_STRIPS, amplitude_after, between_strips};
+use sph_solid::benchmarks::plate::{BETWEEN_STRIPS, TIMOSHENKO, amplitude_after, between_strips, clamped};
 
 pub(in super::super) const PLATE: Benchmark = Benchmark {
     name: "solid/oscillating-plate",
@@ -27,6 +27,34 @@ pub(in super::super) const PLATE: Benchmark = Benchmark {
     run: |resolution| {
         let swing = between_strips(resolution as usize, find)?;
         Ok(outcome(&swing.patch, vec![relative(swing.period, BETWEEN_STRIPS), swing.energy.abs()]))
+    },
+};
+
+pub(in super::super) const CLAMPED: Benchmark = Benchmark {
+    name: "solid/clamped-swing",
+    tested_crate: "sph-solid",
+    reference: "plate clamped by the layers behind its root: T = 0.2566 s, Timoshenko's beam, built in",
+    quantities: &[
+        Quantity {
+            suffix: "period",
+            text: "period, relative; resolution: spacings to the height",
+            marks: &[
+                Mark { resolution: 5.0, error: 0.13 },
+                Mark { resolution: 10.0, error: 0.04 },
+                Mark { resolution: 20.0, error: 0.012 },
+            ],
+        },
+        Quantity {
+            suffix: "energy",
+            text: "change of total energy in half a period, relative; resolution: spacings to the height",
+            marks: &[Mark { resolution: 5.0, error: 1e-4 }, Mark { resolution: 10.0, error: 1e-4 }],
+        },
+    ],
+    resolutions: [5.0, 10.0, 20.0],
+    quick: 2,
+    run: |resolution| {
+        let swing = clamped(resolution as usize, find)?;
+        Ok(outcome(&swing.patch, vec![relative(swing.period, TIMOSHENKO), swing.energy.abs()]))
     },
 };
 
