@@ -49,6 +49,8 @@ fn the_pages_of_the_book_hold_what_the_run_found() {
             assert!(page.contains(&number), "{name}: {number} is not in:\n{page}");
         }
         assert!(page.contains("`welder verify heat/cosine-decay solid/gough-joule --level full`"), "{page}");
+        assert!(page.contains(&format!("welder {}", welder::version::PROGRAM)), "{page}");
+        assert_eq!(report["commit"], welder::version::COMMIT);
         assert!(book.join(format!("{group}-1.png")).is_file());
     }
 }
@@ -112,4 +114,27 @@ fn the_advice_is_proven_by_runs_with_and_without() {
     assert!(
         change("levels", "width_error").abs() < 0.01 && change("bottom face", "depth_error").abs() < 0.01
     );
+}
+
+#[test]
+fn every_result_names_the_commit_of_its_program() {
+    let text = told(&["--version"]);
+    assert_eq!(text.trim(), format!("welder {}", welder::version::PROGRAM));
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let case = format!("{CASES}/spot-aluminium");
+    told(&["run", &case, "--quiet", "--set", "resolution.spacing_m=200e-6", "--out", out]);
+    let summary = std::fs::read(folder.path().join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
+    assert_eq!(summary["commit"], welder::version::COMMIT);
+    assert!(summary["rejected_steps"].as_u64().is_some(), "{summary}");
+}
+
+#[test]
+fn a_case_that_is_not_there_is_answered_with_a_short_list() {
+    let output = welder(&["check", "spot-alumnium"]);
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(text.contains("did you mean") && !text.contains(".."), "{text}");
+    assert!(text.lines().any(|line| line.trim() == "hard/deep"), "{text}");
 }
