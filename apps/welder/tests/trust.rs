@@ -116,6 +116,62 @@ fn the_advice_is_proven_by_runs_with_and_without() {
     );
 }
 
+/// The sum of the files below a folder whose names end so \[bytes\].
+fn bytes_below(folder: &Path, ending: &str) -> f64 {
+    let of = |path: &Path| match path.is_dir() {
+        true => bytes_below(path, ending),
+        false if path.to_string_lossy().ends_with(ending) => path.metadata().unwrap().len() as f64,
+        false => 0.0,
+    };
+    std::fs::read_dir(folder).unwrap().map(|entry| of(&entry.unwrap().path())).sum()
+}
+
+/// The numbers of the line that begins with a word.
+fn numbers(text: &str, line: &str) -> Vec<f64> {
+    let line = text.lines().find(|told| told.trim_start().starts_with(line)).expect(line);
+    line.split_whitespace().filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn disk_and_memory_are_forecast_within_a_factor_of_two() {
+    let rows: [(&str, &[&str]); 5] = [
+        ("spot-aluminium", &["resolution.spacing_m=100e-6", "time.stop_when_solid=false"]),
+        ("flow-spot-aluminium", &["resolution.spacing_m=100e-6", "part.start_k=800", "time.end_s=2e-4"]),
+        (
+            "stress-spot-aluminium",
+            &["resolution.spacing_m=200e-6", "time.end_s=5e-5", "output.frame_interval_s=1e-5"],
+        ),
+        ("fluid/dam-break", &["spacing_m=5.715e-3"]),
+        ("solid/hot-spot", &["time.end_s=3e-5"]),
+    ];
+    for (case, settings) in rows {
+        let case = format!("{CASES}/{case}");
+        let settings: Vec<&str> = settings.iter().flat_map(|setting| ["--set", setting]).collect();
+        let text = told(&[&["check", case.as_str()], settings.as_slice()].concat());
+        let folder = tempfile::tempdir().unwrap();
+        let out = ["--quiet", "--threads", "1", "--out", folder.path().to_str().unwrap()];
+        told(&[&["run", case.as_str()], settings.as_slice(), &out].concat());
+        let summary: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(folder.path().join("summary.json")).unwrap()).unwrap();
+        let disk = numbers(&text, "disk");
+        let [total, frames, frame, kept, checkpoint] = disk[..5] else { panic!("{disk:?}") };
+        let memory = text.split(" MB of memory").next().unwrap().rsplit(' ').next().unwrap();
+        let written = |ending: &str| 1e-6 * bytes_below(folder.path(), ending);
+        for (what, forecast, found) in [
+            ("disk", total, written("")),
+            ("frames", frames * frame, written(".vtu")),
+            ("checkpoints", kept * checkpoint, written(".bin")),
+            ("memory", memory.parse().unwrap(), 1e-6 * summary["peak_memory_bytes"].as_f64().unwrap()),
+        ] {
+            println!(
+                "{case}: {what} {forecast:.3} MB forecast, {found:.3} MB found: {:.2}",
+                forecast / found
+            );
+            assert!(forecast / found > 0.5 && forecast / found < 2.0, "{case}, {what}:\n{text}");
+        }
+    }
+}
+
 #[test]
 fn every_result_names_the_commit_of_its_program() {
     let text = told(&["--version"]);

@@ -20,11 +20,13 @@ use welder::version;
 const NAME: &str = "checkpoint_7.bin";
 const DIGEST: u32 = 11;
 
+type Resume = dyn Fn(&Checkpoint) -> Result<(), CheckpointError> + Send + Sync;
+
 /// A scene of one kind of state: a good checkpoint of it, and how a run goes on from one.
 struct Kind {
     name: &'static str,
     good: Checkpoint,
-    resume: Box<dyn Fn(&Checkpoint) -> Result<(), CheckpointError> + Send + Sync>,
+    resume: Box<Resume>,
 }
 
 /// All kinds; heat alone is the first.
