@@ -20,6 +20,9 @@ use std::path::Path;
 /// Spacings of the runs over that of the case, coarse to fine.
 const RATIOS: [f64; 3] = [2.0, 1.0, 0.5];
 
+/// Numbers that differ by this share at most, as the mass, do not change with the spacing.
+const ROUND_OFF: f64 = 1e-12;
+
 /// Lines of the picture; more of them cannot be told apart.
 const LINES: usize = 8;
 
@@ -161,7 +164,8 @@ fn judge(runs: &[Run]) -> Vec<Judged> {
         let convergence = Convergence::of(&rungs.collect::<Vec<_>>())?;
         let best = convergence.extrapolated.unwrap_or(values[2]);
         let of_two = || index_of_two(values[2], values[1], own.spacing_m / fine.spacing_m);
-        (values != [values[0]; 3]).then(|| Judged {
+        let changes = values.iter().any(|value| (value - values[2]).abs() > ROUND_OFF * values[2].abs());
+        changes.then(|| Judged {
             quantity: quantity.clone(),
             values,
             convergence,
