@@ -1,6 +1,7 @@
 //! `welder check`: what a case is before it is run.
 
 mod advice;
+mod disk;
 mod estimates;
 mod fluid;
 mod melt;
@@ -8,6 +9,7 @@ mod prove;
 mod solid;
 
 use crate::build::{LevelPlan, Workpiece};
+use crate::case::scene::{FLOW_FIELDS, Scene};
 use crate::case::{self, Case, Loaded};
 use crate::cli::{CheckArguments, ExitStatus, refuse, say};
 use crate::model::{Model, ModelError};
@@ -15,11 +17,17 @@ use crate::observe::Machine;
 use crate::physics::Physics;
 use crate::physics::heat::Heat;
 use crate::physics::stress::Stress;
-use crate::run::{level_plan, numbers};
+use crate::run::{Simulation, WeldRun, level_plan, numbers};
 use sph_integrate::stages_for;
 
-/// Memory that a particle takes over a run \[bytes\]: peak_memory_bytes over particles of the aluminium spot at 25 um.
-pub(crate) const BYTES_PER_PARTICLE: u64 = 1850;
+/// Memory that the program takes before the first particle \[bytes\].
+const BYTES_WITHOUT_PARTICLES: f64 = 14e6;
+
+/// Memory that a particle takes over a run \[bytes\]: peak_memory_bytes over particles of the aluminium spot at 25 um, and what
+/// stress and flow add to it in their spots at 100 um and 50 um.
+const BYTES_OF_HEAT: f64 = 1850.0;
+const BYTES_OF_STRESS: f64 = 2000.0;
+const BYTES_OF_FLOW: f64 = 14_000.0;
 
 /// Directed pairs that one core visits in a second, a careful figure for a forecast.
 const PAIRS_PER_SECOND: f64 = 5e8;
@@ -67,12 +75,12 @@ fn describe(case: &Case, model: &Model) -> Result<Vec<String>, ModelError> {
     let largest = case.scene.budget.max_particles;
     let plan = level_plan(model, 0.0)?;
     let particles = plan.count();
-    let megabytes = particles as f64 * BYTES_PER_PARTICLE as f64 / 1e6;
     let mut lines = vec![format!(
-        "  particles      {particles} in {} levels, spacing {:.1} um to {:.1} um; about {megabytes:.0} MB",
+        "  particles      {particles} in {} levels, spacing {:.1} um to {:.1} um; {}",
         plan.levels(),
         1e6 * model.spacing(),
         1e6 * model.spacing() * f64::from(1u32 << (plan.levels() - 1)),
+        memory(particles as f64, bytes_per_particle(&case.scene)),
     )];
     lines.extend(slab_advice(model, &plan));
     if particles > largest {
@@ -87,6 +95,11 @@ fn describe(case: &Case, model: &Model) -> Result<Vec<String>, ModelError> {
     lines.push(step_lines(model, &heat));
     lines.extend(model.flow.as_ref().map(|flow| melt::forecast(model, flow)).transpose()?);
     lines.extend(stress_line(model, &workpiece)?);
+    let at_start = WeldRun::at_start(Simulation::around(model.clone(), workpiece, heat)?);
+    let mut output = case.scene.output();
+    // Columns of the flow are zero but in the melt, and pack to next to nothing.
+    output.fields.retain(|field| !FLOW_FIELDS.contains(&field.as_str()));
+    lines.push(disk::line(&at_start, &output));
     lines.extend(power_lines(model));
     lines.extend(warnings(model));
     let named: Vec<String> =
@@ -94,6 +107,18 @@ fn describe(case: &Case, model: &Model) -> Result<Vec<String>, ModelError> {
     lines.push(format!("  numbers        {}", named.join(", ")));
     lines.extend(advice::lines(case, model));
     Ok(lines)
+}
+
+/// Memory that a particle of a weld takes over a run \[bytes\].
+pub(crate) fn bytes_per_particle(scene: &Scene) -> f64 {
+    let stress = scene.stress().map_or(0.0, |_| BYTES_OF_STRESS);
+    let flow = scene.flow().map_or(0.0, |_| BYTES_OF_FLOW);
+    BYTES_OF_HEAT + stress + flow
+}
+
+/// The memory that a run takes, in words.
+fn memory(particles: f64, bytes_per_particle: f64) -> String {
+    format!("about {:.0} MB of memory", 1e-6 * (BYTES_WITHOUT_PARTICLES + particles * bytes_per_particle))
 }
 
 /// Sizes that coarse blocks do not divide keep slabs of fine particles on the far faces: says what near sizes would save.

@@ -7,10 +7,11 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::case::CaseError;
+use crate::version;
 
 /// Simulates conduction-mode laser welding with smoothed particle hydrodynamics.
 #[derive(Debug, Clone, Parser)]
-#[command(version, about, after_help = EXIT_CODES)]
+#[command(version = version::PROGRAM, about, after_help = EXIT_CODES)]
 pub struct CommandLine {
     /// What to do.
     #[command(subcommand)]

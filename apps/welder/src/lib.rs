@@ -15,3 +15,4 @@ pub mod precision;
 pub mod run;
 pub mod solid;
 pub mod verify;
+pub mod version;

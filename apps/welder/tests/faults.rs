@@ -9,32 +9,108 @@ use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use welder::observe::{Checkpoint, Status, Summary, WeldOutcome};
 
+const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
 const SPOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/spot-aluminium");
 
-/// Kills to survive.
-const KILLS: usize = 50;
+/// A coarse run with many checkpoints, that takes a fraction of a second.
+struct Short {
+    case: &'static str,
+    threads: &'static str,
+    settings: &'static [&'static str],
+}
 
-/// A coarse spot with many checkpoints, that runs in a fraction of a second.
+const HEAT: Short = Short {
+    case: "spot-aluminium",
+    threads: "1",
+    settings: &["resolution.spacing_m=100e-6", "output.checkpoint_interval_s=1e-3"],
+};
+
+/// Melt flows after the first half.
+const FLOW: Short = Short {
+    case: "flow-spot-aluminium",
+    threads: "1",
+    settings: &[
+        "resolution.spacing_m=100e-6",
+        "part.start_k=800",
+        "time.end_s=3e-4",
+        "output.frame_interval_s=3e-5",
+        "output.checkpoint_interval_s=3e-5",
+    ],
+};
+
+/// Bodies in the total-Lagrangian form that are heated and yield.
+const SOLID: Short = Short {
+    case: "solid/hot-spot",
+    threads: "1",
+    settings: &["time.end_s=2e-5", "output.checkpoint_interval_s=2e-6"],
+};
+
+const FLUID: Short = Short {
+    case: "fluid/dam-break",
+    threads: "2",
+    settings: &["spacing_m=5.715e-3", "time.end_s=0.1", "output.checkpoint_interval_s=0.01"],
+};
+
+impl Short {
+    fn command(&self, out: &Path) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_welder"));
+        command.arg("run").arg(Path::new(CASES).join(self.case)).args(["--quiet", "--threads", self.threads]);
+        self.settings.iter().for_each(|setting| {
+            command.args(["--set", setting]);
+        });
+        command.args(["--set", "output.pictures=false"]).arg("--out").arg(out);
+        command.stdout(Stdio::null()).stderr(Stdio::null());
+        command
+    }
+
+    /// Starts the run of a folder, or goes on with it where there is something to go on from.
+    fn start(&self, folder: &Path) -> Child {
+        let mut command = self.command(folder);
+        if has_checkpoint(folder) {
+            command.arg("--resume");
+        }
+        command.spawn().expect("the program starts")
+    }
+
+    /// Kills it so many times at random; whenever it comes to its end, its results have the bits of a run that was not.
+    fn survives(&self, wanted: usize) {
+        let folder = tempfile::tempdir().unwrap();
+        let [whole, killed] = ["whole", "killed"].map(|name| folder.path().join(name));
+        let clock = Instant::now();
+        assert!(self.command(&whole).status().unwrap().success());
+        let span = clock.elapsed();
+        let expected = results(&whole);
+        assert!(expected.len() > 10);
+        let mut random = Pcg64Mcg::seed_from_u64(50);
+        let (mut kills, mut ends) = (0, 0);
+        while kills < wanted || ends == 0 {
+            let mut child = self.start(&killed);
+            // Many kills come soon after the start, so that starting and resuming are hit as often as running.
+            let longest = if kills < wanted { span.mul_f64(1.2) } else { Duration::from_secs(600) };
+            std::thread::sleep(longest.mul_f64(random.random_range(0.0..1.0_f64).powi(2)).min(span * 2));
+            if kills < wanted && child.try_wait().unwrap().is_none() {
+                child.kill().unwrap();
+                child.wait().unwrap();
+                kills += 1;
+                continue;
+            }
+            assert!(child.wait().unwrap().success(), "{} after {kills} kills", self.case);
+            assert_eq!(results(&killed), expected, "{} after {kills} kills", self.case);
+            ends += 1;
+            std::fs::remove_dir_all(&killed).unwrap();
+        }
+        println!("{}: {kills} kills, {ends} runs came to their end", self.case);
+    }
+}
+
+/// The short run of heat, whose files the tests below damage.
 fn welder(out: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_welder"));
-    command.args(["run", SPOT, "--quiet", "--threads", "1", "--set", "resolution.spacing_m=100e-6"]);
-    command.args(["--set", "output.checkpoint_interval_s=1e-3", "--set", "output.pictures=false"]);
-    command.arg("--out").arg(out).stdout(Stdio::null()).stderr(Stdio::null());
-    command
+    HEAT.command(out)
 }
 
 fn has_checkpoint(folder: &Path) -> bool {
     let Ok(entries) = std::fs::read_dir(folder.join("checkpoint")) else { return false };
     entries.filter_map(Result::ok).any(|entry| entry.path().extension().is_some_and(|end| end == "bin"))
-}
-
-/// Starts the run of a folder, or goes on with it where there is something to go on from.
-fn start(folder: &Path) -> Child {
-    let mut command = welder(folder);
-    if has_checkpoint(folder) {
-        command.arg("--resume");
-    }
-    command.spawn().expect("the program starts")
 }
 
 /// History and frames: the names with the bytes.
@@ -49,34 +125,12 @@ fn results(folder: &Path) -> Vec<(String, Vec<u8>)> {
     files.into_iter().map(named).collect()
 }
 
+/// Fifty kills in all, of each kind of state that a checkpoint can hold.
 #[test]
-fn a_run_killed_fifty_times_ends_with_the_bits_of_one_that_was_not() {
-    let folder = tempfile::tempdir().unwrap();
-    let [whole, killed] = ["whole", "killed"].map(|name| folder.path().join(name));
-    let clock = Instant::now();
-    assert!(welder(&whole).status().unwrap().success());
-    let span = clock.elapsed();
-    let expected = results(&whole);
-    assert!(expected.len() > 10);
-    let mut random = Pcg64Mcg::seed_from_u64(50);
-    let (mut kills, mut ends) = (0, 0);
-    while kills < KILLS || ends == 0 {
-        let mut child = start(&killed);
-        // Later kills come ever sooner after the start, so that starting and resuming are hit as often as running.
-        let longest = if kills < KILLS { span.mul_f64(1.2) } else { Duration::from_secs(600) };
-        std::thread::sleep(longest.mul_f64(random.random_range(0.0..1.0_f64).powi(2)).min(span * 2));
-        if kills < KILLS && child.try_wait().unwrap().is_none() {
-            child.kill().unwrap();
-            child.wait().unwrap();
-            kills += 1;
-            continue;
-        }
-        assert!(child.wait().unwrap().success(), "after {kills} kills");
-        assert_eq!(results(&killed), expected, "after {kills} kills");
-        ends += 1;
-        std::fs::remove_dir_all(&killed).unwrap();
+fn runs_killed_fifty_times_end_with_the_bits_of_runs_that_were_not() {
+    for (run, kills) in [(HEAT, 14), (FLOW, 12), (SOLID, 12), (FLUID, 12)] {
+        run.survives(kills);
     }
-    println!("{kills} kills, {ends} runs came to their end");
 }
 
 fn code(output: &Output) -> i32 {
@@ -168,23 +222,27 @@ fn a_flipped_bit_is_found_and_the_older_checkpoint_goes_on() {
     assert_eq!(results(&out), results(&whole));
 }
 
-/// Another version may compute other bits, so that it must not go on; what it wrote stays for the version that can.
+/// Another version, or another commit of this one, may compute other bits, so that it must not go on; what it wrote stays for the
+/// program that can.
 #[test]
-fn a_checkpoint_of_another_version_ends_with_2_and_stays() {
+fn a_checkpoint_of_another_program_ends_with_2_and_stays() {
     let folder = tempfile::tempdir().unwrap();
     assert!(welder(folder.path()).args(["--until", "0.006"]).status().unwrap().success());
     let files = checkpoints(folder.path());
-    for file in &files {
-        let mut other = Checkpoint::read(file).unwrap();
-        other.version = "999.0.1".into();
-        std::fs::write(file, other.to_bytes().unwrap()).unwrap();
+    let other_commit = format!("{} (commit 0123456789ab)", welder::version::NUMBER);
+    for program in ["999.0.1 (commit unknown)", other_commit.as_str()] {
+        for file in &files {
+            let mut other = Checkpoint::read(file).unwrap();
+            other.version = program.into();
+            std::fs::write(file, other.to_bytes().unwrap()).unwrap();
+        }
+        let output = welder(folder.path()).arg("--resume").stderr(Stdio::piped()).output().unwrap();
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(code(&output), 2, "{message}");
+        let newest = files.last().unwrap().to_str().unwrap();
+        for words in [program, welder::version::PROGRAM, newest] {
+            assert!(message.contains(words), "`{words}` is not in: {message}");
+        }
+        assert!(files.iter().all(|file| file.exists()));
     }
-    let output = welder(folder.path()).arg("--resume").stderr(Stdio::piped()).output().unwrap();
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(code(&output), 2, "{message}");
-    let newest = files.last().unwrap().to_str().unwrap();
-    for words in ["999.0.1", env!("CARGO_PKG_VERSION"), newest] {
-        assert!(message.contains(words), "`{words}` is not in: {message}");
-    }
-    assert!(files.iter().all(|file| file.exists()));
 }

@@ -293,9 +293,11 @@ fn the_resolved_scene_gives_the_same_run() {
 
 #[test]
 fn what_only_a_weld_has_is_refused() {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_welder")).arg("precision").arg(case("film")).output().unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.contains("no weld"), "{message}");
+    for options in [["--vary", "scheme.shifting=0,1"], ["--wanted-error", "0.01"]] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_welder"));
+        let output = command.arg("precision").arg(case("film")).args(options).output().unwrap();
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains("for welds"), "{message}");
+    }
 }

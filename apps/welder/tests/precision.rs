@@ -134,3 +134,55 @@ fn steps_beyond_the_budget_end_with_3() {
     assert_eq!(code, Some(3), "{text}");
     assert!(text.contains("step budget of 3") && text.contains("budget.max_steps"), "{text}");
 }
+
+/// The ladder of a scene that is no weld: its table and its numbers.
+fn plain(case: &str, settings: &[&str]) -> (String, serde_json::Value) {
+    let folder = tempfile::tempdir().unwrap();
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case);
+    let json = folder.path().join("precision.json");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_welder"));
+    command.arg("precision").arg(case).arg("--out").arg(folder.path()).arg("--json").arg(&json);
+    settings.iter().for_each(|setting| {
+        command.args(["--set", setting]);
+    });
+    let (code, text) = spoken(&command.output().unwrap());
+    assert_eq!(code, Some(0), "{text}");
+    for file in ["precision.csv", "precision_convergence.csv", "precision_convergence.png"] {
+        assert!(folder.path().join(file).is_file(), "{file}");
+    }
+    let table = std::fs::read_to_string(folder.path().join("precision.csv")).unwrap();
+    assert_eq!(table.lines().count(), 4, "{table}");
+    (text, serde_json::from_slice(&std::fs::read(json).unwrap()).unwrap())
+}
+
+fn quantity<'a>(report: &'a serde_json::Value, name: &str) -> &'a serde_json::Value {
+    let found = report["quantities"].as_array().unwrap().iter().find(|one| one["quantity"] == name);
+    found.unwrap_or_else(|| panic!("no {name} in {report}"))
+}
+
+/// The speed of the surface of a film, tau_T G H/eta when it is steady, less the half spacing that the upper row lies below it.
+#[test]
+fn the_surface_of_a_film_converges_to_the_speed_that_tension_drives() {
+    let wide = ["domain.size_m=(3e-3,1.5e-3)", "bodies.0.high_m=(3e-3,1e-3)", "time.end_s=0.2"];
+    let (text, report) = plain("fluid/film", &wide);
+    let speed = quantity(&report, "max_speed_m_s");
+    let exact = 6e-5 * 1000.0 * 1e-3 / 0.019;
+    let extrapolated = speed["extrapolated"].as_f64().unwrap();
+    assert!((extrapolated / exact - 1.0).abs() < 0.02, "{extrapolated} {exact}\n{text}");
+    let order = speed["order"].as_f64().unwrap();
+    assert!(order > 0.7 && order < 2.5, "{text}");
+    assert!(speed["own_error"].as_f64().unwrap() > 0.02, "half a row of eight: {text}");
+}
+
+#[test]
+fn a_ladder_of_elastic_bodies_tells_what_changes_with_the_spacing() {
+    let (text, report) = plain("solid/hot-spot", &["spacing_m=2e-3", "time.end_s=2e-5"]);
+    let strain = quantity(&report, "max_plastic_strain");
+    // 250 K stretch by (1 + nu) alpha dT in plane strain; no more can yield.
+    let values = [0, 1, 2].map(|k| strain["values"][k].as_f64().unwrap());
+    assert!(values.iter().all(|&value| value > 1e-3 && value < 1.33 * 23.1e-6 * 250.0), "{text}");
+    assert!(quantity(&report, "energy.plastic_j")["own_error"].as_f64().unwrap() < 0.2, "{text}");
+    // All runs yield at 100 MPa.
+    assert!(!text.contains("max_von_mises_pa") && !text.contains("mass_kg"), "{text}");
+    assert_eq!(report["commit"], welder::version::COMMIT);
+}

@@ -49,6 +49,8 @@ fn the_pages_of_the_book_hold_what_the_run_found() {
             assert!(page.contains(&number), "{name}: {number} is not in:\n{page}");
         }
         assert!(page.contains("`welder verify heat/cosine-decay solid/gough-joule --level full`"), "{page}");
+        assert!(page.contains(&format!("welder {}", welder::version::PROGRAM)), "{page}");
+        assert_eq!(report["commit"], welder::version::COMMIT);
         assert!(book.join(format!("{group}-1.png")).is_file());
     }
 }
@@ -114,4 +116,83 @@ fn the_advice_is_proven_by_runs_with_and_without() {
     assert!(
         change("levels", "width_error").abs() < 0.01 && change("bottom face", "depth_error").abs() < 0.01
     );
+}
+
+/// The sum of the files below a folder whose names end so \[bytes\].
+fn bytes_below(folder: &Path, ending: &str) -> f64 {
+    let of = |path: &Path| match path.is_dir() {
+        true => bytes_below(path, ending),
+        false if path.to_string_lossy().ends_with(ending) => path.metadata().unwrap().len() as f64,
+        false => 0.0,
+    };
+    std::fs::read_dir(folder).unwrap().map(|entry| of(&entry.unwrap().path())).sum()
+}
+
+/// The numbers of the line that begins with a word.
+fn numbers(text: &str, line: &str) -> Vec<f64> {
+    let line = text.lines().find(|told| told.trim_start().starts_with(line)).expect(line);
+    line.split_whitespace().filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn disk_and_memory_are_forecast_within_a_factor_of_two() {
+    let rows: [(&str, &[&str]); 5] = [
+        ("spot-aluminium", &["resolution.spacing_m=100e-6", "time.stop_when_solid=false"]),
+        ("flow-spot-aluminium", &["resolution.spacing_m=100e-6", "part.start_k=800", "time.end_s=2e-4"]),
+        (
+            "stress-spot-aluminium",
+            &["resolution.spacing_m=200e-6", "time.end_s=5e-5", "output.frame_interval_s=1e-5"],
+        ),
+        ("fluid/dam-break", &["spacing_m=5.715e-3"]),
+        ("solid/hot-spot", &["time.end_s=3e-5"]),
+    ];
+    for (case, settings) in rows {
+        let case = format!("{CASES}/{case}");
+        let settings: Vec<&str> = settings.iter().flat_map(|setting| ["--set", setting]).collect();
+        let text = told(&[&["check", case.as_str()], settings.as_slice()].concat());
+        let folder = tempfile::tempdir().unwrap();
+        let out = ["--quiet", "--threads", "1", "--out", folder.path().to_str().unwrap()];
+        told(&[&["run", case.as_str()], settings.as_slice(), &out].concat());
+        let summary: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(folder.path().join("summary.json")).unwrap()).unwrap();
+        let disk = numbers(&text, "disk");
+        let [total, frames, frame, kept, checkpoint] = disk[..5] else { panic!("{disk:?}") };
+        let memory = text.split(" MB of memory").next().unwrap().rsplit(' ').next().unwrap();
+        let written = |ending: &str| 1e-6 * bytes_below(folder.path(), ending);
+        for (what, forecast, found) in [
+            ("disk", total, written("")),
+            ("frames", frames * frame, written(".vtu")),
+            ("checkpoints", kept * checkpoint, written(".bin")),
+            ("memory", memory.parse().unwrap(), 1e-6 * summary["peak_memory_bytes"].as_f64().unwrap()),
+        ] {
+            println!(
+                "{case}: {what} {forecast:.3} MB forecast, {found:.3} MB found: {:.2}",
+                forecast / found
+            );
+            assert!(forecast / found > 0.5 && forecast / found < 2.0, "{case}, {what}:\n{text}");
+        }
+    }
+}
+
+#[test]
+fn every_result_names_the_commit_of_its_program() {
+    let text = told(&["--version"]);
+    assert_eq!(text.trim(), format!("welder {}", welder::version::PROGRAM));
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let case = format!("{CASES}/spot-aluminium");
+    told(&["run", &case, "--quiet", "--set", "resolution.spacing_m=200e-6", "--out", out]);
+    let summary = std::fs::read(folder.path().join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
+    assert_eq!(summary["commit"], welder::version::COMMIT);
+    assert!(summary["rejected_steps"].as_u64().is_some(), "{summary}");
+}
+
+#[test]
+fn a_case_that_is_not_there_is_answered_with_a_short_list() {
+    let output = welder(&["check", "spot-alumnium"]);
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(text.contains("did you mean") && !text.contains(".."), "{text}");
+    assert!(text.lines().any(|line| line.trim() == "hard/deep"), "{text}");
 }

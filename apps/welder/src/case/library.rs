@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 /// The folder `cases` that comes with the program: in the current folder, else in the workspace that built it.
 pub fn cases_folder() -> Option<PathBuf> {
     let here = PathBuf::from("cases");
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
-    [here, workspace].into_iter().find(|folder| folder.is_dir())
+    let workspace = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").canonicalize().ok();
+    if here.is_dir() { Some(here) } else { workspace() }
 }
 
 /// The folders in which a material is looked up, nearest first: beside the case, beside its folder, then the program's.

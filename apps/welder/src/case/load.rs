@@ -14,6 +14,7 @@ use super::scene::Scene;
 use super::solid::SolidScene;
 use super::source::Source;
 use super::{library, set, validate};
+use crate::version;
 
 /// A weld that was read and checked.
 #[derive(Debug, Clone)]
@@ -196,7 +197,7 @@ pub fn resolved_solid_ron(case: &SolidCase) -> String {
 fn resolved_text(name: &str, kind: &str, scene: &impl Serialize) -> String {
     let pretty = ron::ser::PrettyConfig::default().compact_arrays(true);
     let body = ron_options().to_string_pretty(scene, pretty).expect("a scene can be written as text");
-    format!("// The case {name} as welder {} resolved it.\n{kind}{body}\n", env!("CARGO_PKG_VERSION"))
+    format!("// The case {name} as welder {} resolved it.\n{kind}{body}\n", version::NUMBER)
 }
 
 /// The scene file that the argument CASE means.
@@ -212,19 +213,30 @@ fn scene_path(path: &Path) -> Result<PathBuf, Problem> {
 }
 
 fn missing(path: &Path, reason: &str) -> Problem {
-    let folders = library::cases_folder().map(|cases| library::case_folders(&cases)).unwrap_or_default();
-    let names: Vec<String> = folders.iter().map(|folder| folder.display().to_string()).collect();
-    let wanted = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let short = |name: &str| name.rsplit('/').next().unwrap_or(name).to_string();
-    let shorts: Vec<String> = names.iter().map(|name| short(name)).collect();
-    let guess = nearest(&wanted, shorts.iter().map(String::as_str));
-    let guess = guess.and_then(|guess| names.iter().find(|name| short(name) == guess));
-    let guess = guess.map_or(String::new(), |name| format!("did you mean `{name}`? "));
-    let remedy = format!(
-        "{guess}accepted: a folder with a scene.ron, or a .ron file; cases here: {}",
-        names.join(", ")
-    );
+    let accepted = "accepted: a folder with a scene.ron, or a .ron file";
+    let remedy = match library::cases_folder() {
+        Some(cases) => format!("{}{accepted}; {}", guess(path, &cases), cases_in(&cases)),
+        None => accepted.to_string(),
+    };
     Problem::without_text(&path.display().to_string(), reason.to_string(), remedy)
+}
+
+/// The case whose name is nearest to that of a path.
+fn guess(path: &Path, cases: &Path) -> String {
+    let last =
+        |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let folders = library::case_folders(cases);
+    let names: Vec<String> = folders.iter().map(|folder| last(folder)).collect();
+    let found = nearest(&last(path), names.iter().map(String::as_str));
+    let folder = found.and_then(|found| folders.iter().find(|folder| last(folder) == found));
+    folder.map_or_else(String::new, |folder| format!("did you mean `{}`? ", folder.display()))
+}
+
+/// The cases in the folder that comes with the program, one a line.
+fn cases_in(cases: &Path) -> String {
+    let folders = library::case_folders(cases);
+    let name = |folder: &PathBuf| format!("\n  {}", folder.strip_prefix(cases).unwrap_or(folder).display());
+    format!("in {} there are:{}", cases.display(), folders.iter().map(name).collect::<String>())
 }
 
 fn name_of(path: &Path) -> String {
@@ -302,5 +314,7 @@ mod tests {
                 && error.contains("spot-aluminium"),
             "{error}"
         );
+        let list = error.split("there are:\n").nth(1).expect("a list of cases");
+        assert!(list.lines().any(|line| line == "  hard/deep") && !list.contains(".."), "{list}");
     }
 }

@@ -1,5 +1,6 @@
 //! `welder check` of a scene of fluid.
 
+use super::{disk, memory};
 use crate::case::FluidCase;
 use crate::fluid::{FluidFlow, FluidModel};
 use crate::model::ModelError;
@@ -7,8 +8,9 @@ use crate::observe::Machine;
 use crate::run::fluid_numbers;
 use sph_integrate::smallest;
 
-/// Memory that a particle of fluid or wall takes over a run \[bytes\]: how peak_memory_bytes of the dam break grows with them.
-const BYTES_PER_PARTICLE: u64 = 850;
+/// Memory that a particle of fluid or wall takes over a run in the plane and in space \[bytes\]: peak_memory_bytes over particles of
+/// the dam break and of a ball with surface tension, large ones.
+const BYTES_PER_PARTICLE: [f64; 2] = [2300.0, 3400.0];
 
 /// Directed pairs of the plain sweep that one core visits in a second, a careful figure for a forecast.
 const PAIRS_PER_SECOND: f64 = 2e7;
@@ -40,9 +42,9 @@ fn describe_in<const D: usize>(case: &FluidCase) -> Result<Vec<String>, ModelErr
     let ratio = model.sound_speed() / expected.sound_needs;
     Ok(vec![
         format!(
-            "  particles      {fluid} of fluid ({:.4e} {unit}), {walls} of walls, in {D} dimensions; about {:.0} MB",
+            "  particles      {fluid} of fluid ({:.4e} {unit}), {walls} of walls, in {D} dimensions; {}",
             flow.mass(),
-            (fluid + walls) as f64 * BYTES_PER_PARTICLE as f64 / 1e6
+            memory((fluid + walls) as f64, BYTES_PER_PARTICLE[D - 2])
         ),
         format!(
             "  speed          {:.3e} m/s expected; sound {:.3e} m/s, {ratio:.1} times what it must be fast against",
@@ -57,6 +59,7 @@ fn describe_in<const D: usize>(case: &FluidCase) -> Result<Vec<String>, ModelErr
             passes / PAIRS_PER_SECOND,
             Machine::here()
         ),
+        disk::line(&flow, &case.scene.output()),
         format!("  numbers        {}", numbers.join(", ")),
     ])
 }

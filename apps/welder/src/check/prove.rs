@@ -13,6 +13,7 @@ use crate::cli::{ExitStatus, say};
 use crate::model::Model;
 use crate::observe::{Machine, summary};
 use crate::precision::{Errors, Limits, MeasureError, Point};
+use crate::version;
 use serde::Serialize;
 use std::path::Path;
 use twins::Twins;
@@ -48,6 +49,7 @@ enum Outcome {
 #[derive(Serialize)]
 struct Report<'a> {
     version: &'static str,
+    commit: &'static str,
     machine: Machine,
     case: &'a str,
     base: &'a Point,
@@ -216,8 +218,8 @@ fn row(finding: &Finding) -> String {
 /// Writes the findings, and says how it ends: a run that failed outweighs an advice that does not hold.
 fn conclude(case: &Case, base: &Point, findings: &[Finding], json: Option<&Path>) -> ExitStatus {
     if let Some(path) = json {
-        let (version, machine) = (env!("CARGO_PKG_VERSION"), Machine::here());
-        let report = Report { version, machine, case: &case.name, base, findings };
+        let (version, commit, machine) = (version::NUMBER, version::COMMIT, Machine::here());
+        let report = Report { version, commit, machine, case: &case.name, base, findings };
         if let Err(error) = summary::write_json(path, &report) {
             tracing::error!("{error}");
             return ExitStatus::RunFailed;

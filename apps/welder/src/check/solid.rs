@@ -1,5 +1,6 @@
 //! `welder check` of a scene of elastic bodies.
 
+use super::{disk, memory};
 use crate::case::SolidCase;
 use crate::model::ModelError;
 use crate::observe::Machine;
@@ -8,6 +9,10 @@ use crate::solid::{Numerics, SolidBody, SolidModel};
 
 /// Particle-steps of the total- and of the updated-Lagrangian form that one core makes in a second, careful figures for a forecast.
 const PARTICLE_STEPS_PER_SECOND: [f64; 2] = [1e6, 3e5];
+
+/// Memory that a particle takes over a run in the plane and in space \[bytes\]: peak_memory_bytes over particles of rings and of a
+/// ball, large ones.
+const BYTES_PER_PARTICLE: [f64; 2] = [1300.0, 2900.0];
 
 /// What the scene will be.
 pub(super) fn describe(case: &SolidCase) -> Result<Vec<String>, ModelError> {
@@ -40,9 +45,10 @@ fn describe_in<const D: usize>(case: &SolidCase) -> Result<Vec<String>, ModelErr
         solid_numbers(&body).iter().map(|(name, value)| format!("{name} {value:.3}")).collect();
     Ok(vec![
         format!(
-            "  particles      {particles} ({:.4e} {unit}), {held} of them held, in {} pieces, in {D} dimensions",
+            "  particles      {particles} ({:.4e} {unit}), {held} of them held, in {} pieces, in {D} dimensions; {}",
             body.mass(),
-            body.pieces()
+            body.pieces(),
+            memory(particles as f64, BYTES_PER_PARTICLE[D - 2])
         ),
         format!("  scheme         {scheme}"),
         format!(
@@ -54,6 +60,7 @@ fn describe_in<const D: usize>(case: &SolidCase) -> Result<Vec<String>, ModelErr
             steps * particles as f64 / rate,
             Machine::here()
         ),
+        disk::line(&body, &case.scene.output()),
         format!("  numbers        {}", numbers.join(", ")),
     ])
 }

@@ -7,7 +7,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-const KEPT: usize = 2;
+/// How many are kept.
+pub(crate) const KEPT: usize = 2;
 
 /// The folder `checkpoint` of a run.
 #[derive(Clone, Debug)]

@@ -7,6 +7,7 @@
 //! The payload is [postcard](https://postcard.jamesmunns.com): numbers go as their bits, never as text.
 
 use super::checkpoint_error::CheckpointError;
+use crate::version;
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::fs::File;
@@ -21,7 +22,7 @@ const CHECKSUM_BYTES: usize = 4;
 /// Everything that a run needs to go on as if it had never stopped.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
-    /// Version of the program that wrote it: another version may compute other bits.
+    /// The program that wrote it, [`version::PROGRAM`]: another may compute other bits, or lay out its state in another way.
     pub version: String,
     /// Digest of the resolved case, from [`case_digest`].
     pub case_digest: u32,
@@ -36,9 +37,9 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// A checkpoint of this version of the program, still without state and columns.
+    /// A checkpoint of this program, still without state and columns.
     pub fn new(case_digest: u32, time_s: f64, step: u64) -> Self {
-        let version = env!("CARGO_PKG_VERSION").to_string();
+        let version = version::PROGRAM.to_string();
         Self { version, case_digest, time_s, step, state: Vec::new(), columns: Vec::new() }
     }
 

@@ -1,9 +1,8 @@
 //! `history.csv`: the measures of a run over time, one row an interval.
 
-use super::{Measures, ObserveError, Observer, Schedule, View};
+use super::{Measures, ObserveError, Observer, Schedule, View, whole_file};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::fs::{self, File, OpenOptions};
-use std::io::{Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 /// One row of the history of a weld; its fields are the columns of the table.
@@ -70,21 +69,17 @@ impl HistoryWriter {
     }
 
     fn open(&mut self, resumed_at_s: Option<f64>) -> Result<(), ObserveError> {
-        let mut kept_bytes = 0;
+        let mut kept = Vec::new();
         if let Some(time_s) = resumed_at_s.filter(|_| self.path.exists()) {
-            let text = fs::read(&self.path).map_err(ObserveError::file("read", &self.path))?;
-            (kept_bytes, self.written_s) = kept_rows(&text, &mut self.schedule, time_s);
+            kept = fs::read(&self.path).map_err(ObserveError::file("read", &self.path))?;
+            let (bytes, written_s) = kept_rows(&kept, &mut self.schedule, time_s);
+            kept.truncate(bytes);
+            self.written_s = written_s;
         }
-        let file = OpenOptions::new()
-            .create(true)
-            .write(true)
-            .truncate(false)
-            .open(&self.path)
-            .and_then(|mut file| {
-                file.set_len(kept_bytes).and_then(|()| file.seek(SeekFrom::End(0))).map(|_| file)
-            })
+        let file = whole_file::replace(&self.path, &kept)
+            .and_then(|()| OpenOptions::new().append(true).open(&self.path))
             .map_err(ObserveError::file("open", &self.path))?;
-        let table = csv::WriterBuilder::new().has_headers(kept_bytes == 0).from_writer(file);
+        let table = csv::WriterBuilder::new().has_headers(kept.is_empty()).from_writer(file);
         self.table = Some(table);
         Ok(())
     }
@@ -136,7 +131,7 @@ struct Clock {
 
 /// How many bytes of a table the unbroken run would have at `time_s`, and the time of the last row among them; leaves
 /// `schedule` where that row left it.
-fn kept_rows(text: &[u8], schedule: &mut Schedule, time_s: f64) -> (u64, Option<f64>) {
+fn kept_rows(text: &[u8], schedule: &mut Schedule, time_s: f64) -> (usize, Option<f64>) {
     // A row without its line end was cut off when the program died: its last number may be short.
     let whole = &text[..text.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1)];
     let mut reader = csv::Reader::from_reader(whole);
@@ -147,7 +142,7 @@ fn kept_rows(text: &[u8], schedule: &mut Schedule, time_s: f64) -> (u64, Option<
             break;
         }
         schedule.advance_past(row.time_s);
-        kept_bytes = rows.reader().position().byte();
+        kept_bytes = rows.reader().position().byte() as usize;
         last_s = Some(row.time_s);
     }
     (kept_bytes, last_s)

@@ -29,6 +29,8 @@ pub struct Summary<Outcome> {
     pub status: Status,
     /// Version of the program.
     pub version: String,
+    /// The commit that the program was built from.
+    pub commit: String,
     /// Name of the case.
     pub case: String,
     /// Number of dimensions.
@@ -41,6 +43,8 @@ pub struct Summary<Outcome> {
     pub steps: u64,
     /// How often each limit ruled the step.
     pub step_limits: BTreeMap<String, u64>,
+    /// Steps of heat that were taken back, because their estimated error was too large, and tried again shorter.
+    pub rejected_steps: u64,
     /// Time on the clock.
     pub wall_s: f64,
     /// Processor time over all threads, where the system tells.
@@ -299,12 +303,14 @@ mod tests {
         Summary {
             status: Status::AuditFailed,
             version: "0.1.0".into(),
+            commit: "0123456789ab".into(),
             case: "spot-aluminium".into(),
             dimension: 3,
             particles: 10_000,
             spacing_m: 50e-6,
             steps: 417,
             step_limits: BTreeMap::from([("conduction".into(), 400), ("output".into(), 17)]),
+            rejected_steps: 3,
             wall_s: 0.4,
             cpu_s: Some(0.39),
             setup_s: 0.1,
@@ -337,7 +343,7 @@ mod tests {
     #[test]
     fn the_keys_are_those_of_the_contract() {
         let value = serde_json::to_value(example()).unwrap();
-        let named = "status version case dimension particles spacing_m steps step_limits wall_s \
+        let named = "status version commit case dimension particles spacing_m steps step_limits rejected_steps wall_s \
                      particle_steps_per_s pair_visits threads peak_memory_bytes peak_temperature_k \
                      pool weld energy numbers";
         let mut expected: Vec<&str> = named.split_whitespace().chain(["cpu_s", "setup_s"]).collect();

@@ -1,7 +1,8 @@
-//! Files that appear whole or not at all: written beside their place, then moved into it.
+//! Files that appear whole or not at all: written beside their place, then moved into it. A link in that place is replaced; what it
+//! points to is never written.
 
 use std::ffi::OsString;
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -27,7 +28,12 @@ pub fn is_leftover(path: &Path) -> bool {
 
 fn place(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let partial = partial_path(path);
-    let placed = File::create(&partial)
+    // What a program that died left behind; and a link there must not lead elsewhere.
+    let _ = fs::remove_file(&partial);
+    let placed = OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(&partial)
         .and_then(|mut file| write(&mut file))
         .and_then(|()| fs::rename(&partial, path));
     if placed.is_err() {
@@ -67,6 +73,20 @@ mod tests {
         assert_eq!(failed.unwrap_err().to_string(), "disk full");
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_replaced_and_not_written_through() {
+        let folder = tempfile::tempdir().unwrap();
+        let [path, mine] = ["summary.json", "mine"].map(|name| folder.path().join(name));
+        fs::write(&mine, b"mine").unwrap();
+        for link in [path.clone(), partial_path(&path)] {
+            let _ = fs::remove_file(&link);
+            std::os::unix::fs::symlink(&mine, &link).unwrap();
+            replace(&path, b"new").unwrap();
+            assert_eq!((fs::read(&path).unwrap(), fs::read(&mine).unwrap()), (b"new".into(), b"mine".into()));
+        }
     }
 
     #[test]

@@ -3,12 +3,13 @@
 use crate::build::LevelPlan;
 use crate::case::memory;
 use crate::case::scene::Scene;
-use crate::check::BYTES_PER_PARTICLE;
+use crate::check::bytes_per_particle;
 
 /// The limits of a scene and of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Limits {
     particles: u64,
+    bytes_per_particle: f64,
     /// Bytes, and who says so.
     memory: Option<(f64, &'static str)>,
     pub(crate) steps: u64,
@@ -18,7 +19,12 @@ impl Limits {
     /// What the budget of `scene` and the free memory allow.
     pub(crate) fn of(scene: &Scene) -> Self {
         let budget = &scene.budget;
-        Self { particles: budget.max_particles, memory: memory(&scene.budget), steps: budget.max_steps }
+        Self {
+            particles: budget.max_particles,
+            bytes_per_particle: bytes_per_particle(scene),
+            memory: memory(&scene.budget),
+            steps: budget.max_steps,
+        }
     }
 
     /// Refuses a plan that is too large, in words.
@@ -32,7 +38,7 @@ impl Limits {
                 self.particles
             ));
         }
-        let wanted = particles * BYTES_PER_PARTICLE as f64;
+        let wanted = particles * self.bytes_per_particle;
         let (bytes, origin) = self.memory.filter(|(bytes, _)| wanted > *bytes)?;
         Some(format!("takes {particles:.2e} particles and {wanted:.2e} bytes, beyond {origin} ({bytes:.2e})"))
     }
@@ -45,7 +51,8 @@ mod tests {
 
     #[test]
     fn what_is_too_large_is_refused_without_counting_it() {
-        let limits = Limits { particles: 1000, memory: Some((1e6, "a test")), steps: 1 };
+        let limits =
+            Limits { particles: 1000, bytes_per_particle: 1850.0, memory: Some((1e6, "a test")), steps: 1 };
         assert_eq!(limits.refuse(&LevelPlan::uniform([5, 10, 10])), None);
         assert!(limits.refuse(&LevelPlan::uniform([6, 10, 10])).unwrap().contains("beyond a test"));
         assert!(limits.refuse(&LevelPlan::uniform([11, 10, 10])).unwrap().contains("max_particles = 1000"));

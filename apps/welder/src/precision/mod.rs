@@ -1,4 +1,5 @@
-//! `welder precision`: error against cost of a case, over spacings and settings.
+//! `welder precision`: error against cost of a case, over spacings and settings; of a scene that is no weld over spacings alone
+//! (`plain.rs`).
 //!
 //! The reference is the case itself at half of its spacing with short steps; what is listed is the difference to it in the
 //! pool's width, depth and length, peak rise and weld volume, beside processor time, particles and pair visits. Each
@@ -11,6 +12,7 @@ mod estimate;
 mod limits;
 mod measured;
 mod picture;
+mod plain;
 mod quantity;
 mod rungs;
 mod settings;
@@ -18,11 +20,12 @@ mod table;
 mod vary;
 
 use crate::case::source::Source;
-use crate::case::{self, Case, CaseError};
+use crate::case::{self, Case, CaseError, Loaded};
 use crate::cli::{ExitStatus, PrecisionArguments, refuse, say};
 use crate::model::{Model, ModelError};
 use crate::observe::{Machine, ObserveError, summary};
 use crate::run::level_plan;
+use crate::version;
 use estimate::Estimate;
 use rungs::Rungs;
 use settings::{Boxes, Setting, TIGHT};
@@ -52,6 +55,7 @@ enum PrecisionError {
 #[derive(Serialize)]
 struct Report<'a> {
     version: &'static str,
+    commit: &'static str,
     machine: Machine,
     case: &'a str,
     /// Grid convergence index of the reference in each quantity, in the order of the estimates.
@@ -63,14 +67,14 @@ struct Report<'a> {
 
 /// Runs the ladder of the case of `arguments`.
 pub fn command(arguments: &PrecisionArguments) -> ExitStatus {
-    let case = match case::load(&arguments.case, &arguments.overrides) {
+    let case = match case::load_any(&arguments.case, &arguments.overrides) {
         Ok(case) => case,
         Err(error) => return refuse(&error),
     };
     // One thread: processor time is then the cost, whatever else the machine does.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let told = match pool {
-        Ok(pool) => pool.install(|| ladder(&case, arguments)),
+        Ok(pool) => pool.install(|| of_kind(&case, arguments)),
         Err(error) => {
             tracing::error!("the thread cannot be started: {error}");
             return ExitStatus::RunFailed;
@@ -79,10 +83,6 @@ pub fn command(arguments: &PrecisionArguments) -> ExitStatus {
     match told {
         Ok(status) => status,
         Err(PrecisionError::Case(error)) => refuse(&error),
-        Err(PrecisionError::Measure(error @ MeasureError::TooLarge { .. })) => {
-            let remedy = "use a larger spacing_m, or raise the budget: precision also runs the case at half of its spacing";
-            refuse(&at_spacing(&case, &error.to_string(), remedy))
-        }
         Err(PrecisionError::Measure(error)) => {
             tracing::error!("{error}");
             error.status()
@@ -91,6 +91,21 @@ pub fn command(arguments: &PrecisionArguments) -> ExitStatus {
             tracing::error!("{error}");
             ExitStatus::RunFailed
         }
+    }
+}
+
+fn of_kind(case: &Loaded, arguments: &PrecisionArguments) -> Result<ExitStatus, PrecisionError> {
+    let folder = |name: &str| arguments.out.clone().unwrap_or_else(|| Path::new("out").join(name));
+    match case {
+        Loaded::Weld(case) => ladder(case, arguments, &folder(&case.name)).map_err(|error| match error {
+            PrecisionError::Measure(error @ MeasureError::TooLarge { .. }) => {
+                let remedy = "use a larger spacing_m, or raise the budget: precision also runs the case at half of its spacing";
+                at_spacing(case, &error.to_string(), remedy).into()
+            }
+            error => error,
+        }),
+        Loaded::Fluid(case) => plain::ladder(arguments, &case.name, case.scene.spacing_m, &folder(&case.name)),
+        Loaded::Solid(case) => plain::ladder(arguments, &case.name, case.scene.spacing_m, &folder(&case.name)),
     }
 }
 
@@ -108,7 +123,7 @@ struct Ladder {
     reference_indices: Vec<f64>,
 }
 
-fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<ExitStatus, PrecisionError> {
+fn ladder(case: &Case, arguments: &PrecisionArguments, folder: &Path) -> Result<ExitStatus, PrecisionError> {
     let base = Model::from_case(case)?;
     let settings = match &arguments.vary {
         None => settings::all(&base),
@@ -126,14 +141,13 @@ fn ladder(case: &Case, arguments: &PrecisionArguments) -> Result<ExitStatus, Pre
         )
         .into());
     };
-    let folder = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(&case.name));
-    std::fs::create_dir_all(&folder).map_err(ObserveError::file("create", &folder))?;
+    std::fs::create_dir_all(folder).map_err(ObserveError::file("create", folder))?;
     let points = climb(&rungs, &settings, &Limits::of(&case.scene))?;
     let estimates = estimate::estimates(&points);
     let reference_indices = estimate::reference_indices(&points, &estimates);
     let found = Ladder { points, estimates, reference_indices };
     say(&table::convergence(&found.estimates, &found.reference_indices));
-    write(case, arguments, &folder, &found)?;
+    write(case, arguments, folder, &found)?;
     say(&format!("results in {}", folder.display()));
     let wanted = arguments.wanted_error;
     Ok(wanted.map_or(ExitStatus::Done, |wanted| choose(&found.points, &found.reference_indices, wanted)))
@@ -183,10 +197,10 @@ fn write(
     picture::draw(folder, &case.name, points)?;
     picture::draw_convergence(folder, &case.name, points, estimates)?;
     if let Some(path) = &arguments.json {
-        let (version, machine) = (env!("CARGO_PKG_VERSION"), Machine::here());
+        let (version, commit, machine) = (version::NUMBER, version::COMMIT, Machine::here());
         summary::write_json(
             path,
-            &Report { version, machine, case: &case.name, reference_indices, points, estimates },
+            &Report { version, commit, machine, case: &case.name, reference_indices, points, estimates },
         )?;
     }
     Ok(())

@@ -3,10 +3,11 @@
 use super::convergence::{CAREFUL_SAFETY_FACTOR, SAFETY_FACTOR};
 use super::estimate::Estimate;
 use super::{Point, PrecisionError, settings};
+use crate::observe::{ObserveError, whole_file};
 use std::path::Path;
 
 /// What is said of values whose order cannot be trusted.
-const NOT_ASYMPTOTIC: &str = "not in the asymptotic range";
+pub(super) const NOT_ASYMPTOTIC: &str = "not in the asymptotic range";
 
 /// Titles of the columns.
 pub(super) fn head() -> String {
@@ -50,7 +51,7 @@ pub(super) fn row(point: &Point) -> String {
 
 /// Writes all runs as CSV.
 pub(super) fn write_csv(path: &Path, points: &[Point]) -> Result<(), PrecisionError> {
-    let mut table = csv::Writer::from_path(path)?;
+    let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
         "setting",
         "spacing_m",
@@ -98,8 +99,13 @@ pub(super) fn write_csv(path: &Path, points: &[Point]) -> Result<(), PrecisionEr
         let cells = std::iter::once(p.setting.clone()).chain(numbers.iter().map(f64::to_string));
         table.write_record(cells)?;
     }
-    table.flush().map_err(csv::Error::from)?;
-    Ok(())
+    place(path, table)
+}
+
+/// Puts a table into its file.
+pub(super) fn place(path: &Path, table: csv::Writer<Vec<u8>>) -> Result<(), PrecisionError> {
+    let bytes = table.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(whole_file::replace(path, &bytes).map_err(ObserveError::file("write", path))?)
 }
 
 /// The estimates of the default setting, one line a quantity, with the index of the reference.
@@ -141,7 +147,7 @@ fn cell(value: Option<f64>, digits: usize) -> String {
 
 /// Writes the estimates of all settings as CSV; cells without a value are empty.
 pub(super) fn write_convergence(path: &Path, estimates: &[Estimate]) -> Result<(), PrecisionError> {
-    let mut table = csv::Writer::from_path(path)?;
+    let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
         "setting",
         "quantity",
@@ -170,6 +176,5 @@ pub(super) fn write_convergence(path: &Path, estimates: &[Estimate]) -> Result<(
             if found.asymptotic { "asymptotic" } else { NOT_ASYMPTOTIC }.to_string(),
         ])?;
     }
-    table.flush().map_err(csv::Error::from)?;
-    Ok(())
+    place(path, table)
 }

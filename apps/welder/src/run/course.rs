@@ -10,6 +10,7 @@ use crate::observe::{
     peak_memory_bytes, process_cpu_s, progress::Progress, whole_file,
 };
 use crate::physics::{Column, Failure};
+use crate::version;
 use nalgebra::SVector;
 use std::path::{Path, PathBuf};
 use std::sync::Once;
@@ -105,7 +106,7 @@ impl<const D: usize, S: Scenario<D>> Course<D, S> {
         let digest = case_digest(&plan.resolved);
         let checkpoints = CheckpointFolder::of_run(&folder);
         let found = if resume {
-            let found = checkpoints.latest(env!("CARGO_PKG_VERSION"), digest)?;
+            let found = checkpoints.latest(version::PROGRAM, digest)?;
             let missing = || {
                 format!("{}: there is no checkpoint to resume from; run without --resume\n", folder.display())
             };
@@ -153,13 +154,15 @@ impl<const D: usize, S: Scenario<D>> Course<D, S> {
         let particles = scenario.positions().len();
         let summary = Summary {
             status,
-            version: env!("CARGO_PKG_VERSION").into(),
+            version: version::NUMBER.into(),
+            commit: version::COMMIT.into(),
             case: scenario.name().into(),
             dimension: D,
             particles,
             spacing_m: scenario.spacing(),
             steps: scenario.steps(),
             step_limits: scenario.limits().clone(),
+            rejected_steps: scenario.cost().rejected_steps,
             wall_s,
             cpu_s: process_cpu_s(),
             setup_s: self.setup_s,

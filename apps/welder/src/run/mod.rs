@@ -24,3 +24,4 @@ pub(crate) use report::solid_scales;
 pub use scenario::Scenario;
 pub use simulation::{Records, Simulation, StepReport};
 pub(crate) use solid::solid_numbers;
+pub(crate) use weld::WeldRun;

@@ -71,7 +71,16 @@ impl Simulation {
     /// [`ModelError`] when a crate refuses what the case asks for.
     pub fn with_plan(model: Model, plan: &LevelPlan<3>) -> Result<Self, ModelError> {
         let workpiece = Workpiece::new(&model, plan);
-        let mut physics: Vec<Box<dyn Physics<3>>> = vec![Box::new(Heat::new(&model, &workpiece)?)];
+        let heat = Heat::new(&model, &workpiece)?;
+        Self::around(model, workpiece, heat)
+    }
+
+    /// The same around particles and heat that are built already.
+    ///
+    /// # Errors
+    /// [`ModelError`] when a crate refuses what the case asks for.
+    pub(crate) fn around(model: Model, workpiece: Workpiece, heat: Heat) -> Result<Self, ModelError> {
+        let mut physics: Vec<Box<dyn Physics<3>>> = vec![Box::new(heat)];
         if let Some(flow) = &model.flow {
             physics.push(Box::new(Flow::new(&model, flow, &workpiece)?));
         }

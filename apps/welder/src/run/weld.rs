@@ -73,7 +73,7 @@ fn build(case: &Case, grown: f64) -> Result<Simulation, RunError> {
 }
 
 /// A weld under way.
-struct WeldRun {
+pub(crate) struct WeldRun {
     simulation: Simulation,
     /// By how much the fine box was grown \[m\].
     grown: f64,
@@ -84,6 +84,11 @@ struct WeldRun {
 }
 
 impl WeldRun {
+    /// A weld at its start, to be looked at.
+    pub(crate) fn at_start(simulation: Simulation) -> Self {
+        Self { simulation, grown: 0.0, may_grow: false, boiling: None }
+    }
+
     fn laser_off(&self) -> Option<f64> {
         self.simulation.model().laser.as_ref().map(|laser| laser.track().end_time())
     }

@@ -1,7 +1,7 @@
 //! Pages for the book: a table and plots for each group of benchmarks, all from one run.
 //!
-//! A group is the first part of the names, as `heat`. Pages hold no date: a second run on the same machine changes only
-//! what it measures anew.
+//! A group is the first part of the names, as `heat`. Pages hold no date: a second run of the same program on the same machine
+//! changes only what it measures anew.
 
 use super::order::ROUND_OFF;
 use super::{Entry, LevelResult, Report};
@@ -40,10 +40,11 @@ fn page(report: &Report, group: &[Entry], command: &str, pictures: &[String]) ->
     let held = group.iter().filter(|entry| entry.passed).count();
     let mut text = format!(
         "# Benchmarks: {name}\n\n\
-         Written by `{command}`, welder {}, on {}; built with {BUILD}. {held} of {} entries hold their marks. Errors are \
+         Written by `{command}`, welder {} (commit {}), on {}; built with {BUILD}. {held} of {} entries hold their marks. Errors are \
          relative where the answer is not zero; cost is that of the finest resolution.\n\n\
          | entry | resolution: error | order | mark | pair visits | cpu s | holds |\n|---|---|---|---|---|---|---|\n",
         report.version,
+        report.commit,
         report.machine,
         group.len()
     );
@@ -132,13 +133,14 @@ mod tests {
             (0..9).map(|k| entry(&format!("heat/number-{k}"), [0.04, 0.01, 0.0025], true)).collect();
         entries.push(entry("melt/lost", [0.04, 0.05, 0.06], false));
         entries.push(entry("melt/kept", [0.0, 1e-15, 0.0], true));
-        let report = Report { version: "9.8.7".into(), machine: Machine::here(), entries };
+        let (version, commit) = ("9.8.7".into(), "0123456789ab".into());
+        let report = Report { version, commit, machine: Machine::here(), entries };
         let book = folder.path().join("validation");
         write(&book, &report, "welder verify --level full").unwrap();
         let [heat, melt] =
             ["heat", "melt"].map(|name| std::fs::read_to_string(book.join(format!("{name}.md"))).unwrap());
         for part in [
-            "welder 9.8.7",
+            "welder 9.8.7 (commit 0123456789ab)",
             BUILD,
             "`welder verify --level full`",
             "9 of 9 entries",

@@ -5,6 +5,7 @@ use super::table::table;
 use super::{Benchmark, Entry, Report, book, select};
 use crate::cli::{ExitStatus, Level, VerifyArguments};
 use crate::observe::{Machine, ObserveError, summary::write_json};
+use crate::version;
 
 /// Runs `welder verify`.
 pub fn command(arguments: &VerifyArguments) -> ExitStatus {
@@ -30,7 +31,8 @@ pub fn command(arguments: &VerifyArguments) -> ExitStatus {
     for entry in of(Verdict::Known) {
         println!("known to miss, and no worse than it was: {}", entry.name);
     }
-    let report = Report { version: env!("CARGO_PKG_VERSION").into(), machine: Machine::here(), entries };
+    let (version, commit) = (version::NUMBER.into(), version::COMMIT.into());
+    let report = Report { version, commit, machine: Machine::here(), entries };
     if let Err(error) = write(&report, arguments) {
         tracing::error!("{error}");
         return ExitStatus::WrongInput;

@@ -9,6 +9,8 @@ use serde::{Deserialize, Serialize};
 pub struct Report {
     /// Version of the program.
     pub version: String,
+    /// The commit that it was built from.
+    pub commit: String,
     /// Where it ran.
     pub machine: Machine,
     /// The answers.
@@ -64,14 +66,15 @@ mod tests {
             at_resolution: 5.0,
             passed: true,
         };
-        let report = Report { version: "1".into(), machine: Machine::here(), entries: vec![entry] };
+        let (version, commit) = ("1".into(), "0123456789ab".into());
+        let report = Report { version, commit, machine: Machine::here(), entries: vec![entry] };
         let value = serde_json::to_value(&report).unwrap();
         let keys = |value: &serde_json::Value| {
             let mut keys: Vec<String> = value.as_object().unwrap().keys().cloned().collect();
             keys.sort();
             keys.join(" ")
         };
-        assert_eq!(keys(&value), "entries machine version");
+        assert_eq!(keys(&value), "commit entries machine version");
         let entry = &value["entries"][0];
         let expected = "at_resolution crate levels name observed_order pass_mark passed quantity reference";
         assert_eq!(keys(entry), expected);

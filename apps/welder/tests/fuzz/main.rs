@@ -5,6 +5,8 @@
 mod fluid;
 #[path = "../support/good.rs"]
 mod good;
+#[path = "../support/solid.rs"]
+mod solid;
 #[path = "../support/stress.rs"]
 mod stress;
 

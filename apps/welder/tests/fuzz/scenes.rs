@@ -4,12 +4,13 @@ use crate::fluid;
 use crate::good::{MATERIAL, SCENE};
 use crate::memory::assert_bounded;
 use crate::mutation::{mutated, mutations};
-use crate::stress;
+use crate::{solid, stress};
 use proptest::prelude::*;
 use std::path::Path;
-use welder::case::{Loaded, load, load_any, resolved_fluid_ron, resolved_ron};
+use welder::case::{Loaded, load, load_any, resolved_fluid_ron, resolved_ron, resolved_solid_ron};
 use welder::fluid::FluidModel;
 use welder::model::Model;
+use welder::solid::SolidModel;
 
 /// Reads a scene beside a good card; a refusal must name a file, and a case must read back as it was written.
 fn read(scene: &[u8]) {
@@ -36,7 +37,18 @@ pub fn read_in(folder: &Path) {
             let again = load(&again, &[]).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(again.scene.resolution, case.scene.resolution);
         }
-        Ok(Loaded::Solid(case)) => panic!("{} was of another kind", case.name),
+        Ok(Loaded::Solid(case)) => {
+            match case.scene.dimension() {
+                2 => drop(SolidModel::<2>::from_case(&case)),
+                _ => drop(SolidModel::<3>::from_case(&case)),
+            }
+            let again = folder.join("case.ron");
+            std::fs::write(&again, resolved_solid_ron(&case)).unwrap();
+            let Loaded::Solid(again) = load_any(&again, &[]).unwrap_or_else(|error| panic!("{error}")) else {
+                panic!("another kind")
+            };
+            assert_eq!(again.scene.bodies, case.scene.bodies);
+        }
         Ok(Loaded::Fluid(case)) => {
             match case.scene.dimension() {
                 2 => drop(FluidModel::<2>::from_case(&case)),
@@ -70,14 +82,27 @@ fn deep_nesting_is_refused() {
     }
 }
 
+const NUMBERS: [&str; 9] =
+    ["1e308", "-1e308", "1e999", "5e-324", "inf", "NaN", "18446744073709551616", "-0.0", "4e18"];
+
 #[test]
 fn huge_numbers_are_refused() {
-    for number in ["1e308", "-1e308", "1e999", "5e-324", "inf", "NaN", "18446744073709551616", "-0.0", "4e18"]
-    {
+    for number in NUMBERS {
         for value in
             ["6.0e-3", "293.0", "50.0e-6", "0.1", "0.6e-3", "0.015", "1250.0", "0.03", "1.0e-3", "20000000"]
         {
             read(&with(value, number));
+        }
+    }
+    let solid =
+        ["7.0e10", "0.33", "1.0e8", "1.2e-2", "-0.016", "250.0", "-9.81", "6.0e5", "2.0e-3", "0.9", "7.0e-5"];
+    let fluid = ["1000.0", "0.1", "40.0", "0.3", "0.25", "-9.81", "0.02", "0.5"];
+    for (scene, values) in [(solid::GOOD, solid.as_slice()), (fluid::GOOD, &fluid)] {
+        for (number, value) in
+            NUMBERS.iter().flat_map(|number| values.iter().map(move |value| (number, value)))
+        {
+            assert!(scene.contains(value), "{value}");
+            read(scene.replacen(value, number, 1).as_bytes());
         }
     }
     read(&with(
@@ -118,6 +143,11 @@ proptest! {
     #[test]
     fn mutated_scenes_of_fluid_have_an_answer(changes in mutations()) {
         read(&mutated(fluid::GOOD.as_bytes(), &changes));
+    }
+
+    #[test]
+    fn mutated_scenes_of_solids_have_an_answer(changes in mutations()) {
+        read(&mutated(solid::GOOD.as_bytes(), &changes));
     }
 
     #[test]
