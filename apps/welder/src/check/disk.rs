@@ -80,7 +80,7 @@ impl Disk {
 fn bytes_of<const D: usize>(column: &Column<D>) -> usize {
     match column {
         Column::Scalar(_) => 4,
-        Column::Vector(_) => 12,
+        Column::Vector(_) | Column::Triple(_) => 12,
         Column::Byte(_) => 1,
     }
 }
