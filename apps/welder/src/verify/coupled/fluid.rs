@@ -127,10 +127,12 @@ impl<const D: usize> Fluid<D> {
     /// Forces of the fluid on the first `count` particles of the walls \[N; N/m in 2-D\]: pair by pair the opposite of what
     /// pressure and artificial viscosity do to the fluid. Friction is left out, so that the controls must have none.
     pub fn forces_on_walls(&self, count: usize) -> Vec<SVector<f64, D>> {
-        let Columns { positions, velocities, masses, .. } = &self.columns;
+        let Columns { positions, velocities, densities, masses } = &self.columns;
         let (volumes, pressures) = (self.sweep.volumes(), self.sweep.pressures());
-        let densities: Vec<f64> = masses.iter().zip(volumes).map(|(mass, volume)| mass / volume).collect();
-        let columns = Fields { masses, densities: &densities, volumes, pressures, velocities };
+        let columns = Fields { masses, densities, volumes, pressures, velocities };
+        // Under pressure a wall is smaller than its density says: its force is that on its volume.
+        let squeezed: Vec<f64> = masses.iter().zip(volumes).map(|(mass, volume)| mass / volume).collect();
+        let pressed = Fields { densities: &squeezed, ..columns };
         let kernel = &self.controls.kernel;
         let sound_speed = self.controls.state.reference_sound_speed();
         let mut buffer = RowBuffer::default();
@@ -145,7 +147,7 @@ impl<const D: usize> Fluid<D> {
                 sound_speed,
                 self.controls.artificial_viscosity,
             );
-            (volume_pressure_acceleration(&wet, &columns) + damped) * masses[particle]
+            (volume_pressure_acceleration(&wet, &pressed) + damped) * masses[particle]
         };
         (self.len()..self.len() + count).map(&mut force).collect()
     }
