@@ -154,8 +154,9 @@ def fluid_row(run):
     s = run.summary
     n = s["numbers"]
     box = " x ".join(f"{1e3 * (high - low):.3f}" for low, high in zip(s["low_m"], s["high_m"]))
+    reynolds = f"{n['reynolds']:.3g}" if "reynolds" in n else "none: no viscosity"
     return (
-        f"| [{run.name}](#{run.name}) | {run.end()} | {s['max_speed_m_s']:.3g} | {n['reynolds']:.3g} | {n['mach']:.2g} "
+        f"| [{run.name}](#{run.name}) | {run.end()} | {s['max_speed_m_s']:.3g} | {reynolds} | {n['mach']:.2g} "
         f"| {100 * s['max_density_change_rel']:.2f} | {box} | {s['energy']['residual_rel']:.0e} "
         f"| {s['particles']} x {s['steps']} | {s['cpu_s']:.1f} |"
     )

@@ -132,6 +132,10 @@ pub enum Body {
         /// Velocity in m/s. Default: at rest.
         #[serde(default)]
         velocity_m_s: Option<Axes>,
+        /// Angular speed about its centre in rad/s, from x to y, in the plane; its pressure is then also that of a block that
+        /// nothing holds. Default: 0.
+        #[serde(default)]
+        spin_rad_s: f64,
     },
     /// A disc of rings of particles in the plane, a ball cut out of a lattice in space; with the pressure of its surface tension.
     Ball {
@@ -150,6 +154,14 @@ impl Body {
     pub fn velocity_m_s(&self) -> Option<&Axes> {
         match self {
             Body::Block { velocity_m_s, .. } | Body::Ball { velocity_m_s, .. } => velocity_m_s.as_ref(),
+        }
+    }
+
+    /// Its angular speed in rad/s.
+    pub fn spin_rad_s(&self) -> f64 {
+        match self {
+            Body::Block { spin_rad_s, .. } => *spin_rad_s,
+            Body::Ball { .. } => 0.0,
         }
     }
 }

@@ -51,12 +51,20 @@ fn thickness(scene: &FluidScene, body: &Body) -> f64 {
 /// The fastest body or wall at the start.
 fn given(scene: &FluidScene) -> f64 {
     let bodies = scene.bodies.iter().filter_map(Body::velocity_m_s);
+    let spins = scene.bodies.iter().map(|body| match body {
+        Body::Block { low_m, high_m, spin_rad_s, .. } => {
+            let sides: Vec<f64> =
+                low_m.values().iter().zip(high_m.values()).map(|(low, high)| high - low).collect();
+            0.5 * norm(&sides) * spin_rad_s.abs()
+        }
+        Body::Ball { .. } => 0.0,
+    });
     let sides = scene.domain.sides.named();
     let walls = sides.iter().flatten().filter_map(|(_, side)| match side {
         Side::Wall { velocity_m_s } => velocity_m_s.as_ref(),
         _ => None,
     });
-    bodies.chain(walls).map(|velocity| norm(velocity.values())).fold(0.0, f64::max)
+    bodies.chain(walls).map(|velocity| norm(velocity.values())).chain(spins).fold(0.0, f64::max)
 }
 
 /// sqrt(2 g H) over the height H between the highest fluid and the end of the domain below it. Along a periodic axis gravity

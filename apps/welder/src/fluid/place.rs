@@ -3,8 +3,9 @@
 use super::model::{Edge, FluidModel, vector_or_zero};
 use crate::build::{centre_of, sites};
 use crate::case::fluid::Body;
-use nalgebra::SVector;
+use nalgebra::{SVector, Vector2};
 use sph_fluid::benchmarks::shapes::{cut_ball, rings};
+use sph_fluid::benchmarks::square::pressure_of_spin;
 use std::f64::consts::PI;
 
 /// Particles of the fluid, and of the walls.
@@ -44,30 +45,41 @@ impl<const D: usize> Placed<D> {
             wall_velocities: Vec::new(),
         };
         for (index, body) in model.case.scene.bodies.iter().enumerate() {
+            let first = placed.positions.len();
             match body {
-                Body::Block { low_m, high_m, .. } => {
-                    placed.fill_block(model, low_m.vector(), high_m.vector())
+                Body::Block { low_m, high_m, spin_rad_s, .. } => {
+                    placed.fill_block(model, low_m.vector(), high_m.vector(), *spin_rad_s)
                 }
                 Body::Ball { centre_m, radius_m, .. } => {
                     placed.fill_ball(model, centre_m.vector(), *radius_m)
                 }
             }
-            placed.velocities.resize(placed.positions.len(), vector_or_zero(body.velocity_m_s()));
+            let velocity = vector_or_zero(body.velocity_m_s());
+            for velocities in &mut placed.velocities[first..] {
+                *velocities += velocity;
+            }
             placed.bodies.resize(placed.positions.len(), index as u8);
         }
         placed.build_walls(model);
         placed
     }
 
-    /// Cells of a block, with the pressure of their depth below its top.
-    fn fill_block(&mut self, model: &FluidModel<D>, low: SVector<f64, D>, high: SVector<f64, D>) {
+    /// Cells of a block, with the pressure of their depth below its top and that of its `spin` \[rad/s\].
+    fn fill_block(&mut self, model: &FluidModel<D>, low: SVector<f64, D>, high: SVector<f64, D>, spin: f64) {
         let (spacing, gravity) = (model.spacing(), model.controls.body_acceleration);
         let counts = (high - low).map(|length| (length / spacing).round() as i64);
         let top: f64 = (0..D).map(|axis| (gravity[axis] * low[axis]).min(gravity[axis] * high[axis])).sum();
         for site in sites([0; D], counts.into()) {
             let position = low + centre_of(site) * spacing;
-            let pressure = model.density() * (gravity.dot(&position) - top);
+            let from_centre = position - 0.5 * (low + high);
+            let in_plane = |vector: SVector<f64, D>| Vector2::new(vector[0], vector[1]);
+            let (place, sides) = (in_plane(from_centre), in_plane(high - low));
+            let pull = if spin == 0.0 { 0.0 } else { spin * spin * pressure_of_spin(&place, &sides) };
+            let pressure = model.density() * (gravity.dot(&position) - top + pull);
             self.push(model, position, spacing.powi(D as i32), pressure);
+            if let Some(velocity) = self.velocities.last_mut() {
+                (velocity[0], velocity[1]) = (-spin * place.y, spin * place.x);
+            }
         }
     }
 
@@ -96,6 +108,7 @@ impl<const D: usize> Placed<D> {
         self.positions.push(position);
         self.densities.push(density);
         self.masses.push(density * volume);
+        self.velocities.push(SVector::zeros());
     }
 
     /// Cells outside the domain behind its walls; walls go on beyond periodic sides, and end with the domain at open ones.
@@ -134,6 +147,7 @@ impl<const D: usize> Placed<D> {
 mod tests {
     use super::*;
     use crate::case::{Loaded, load_any};
+    use sph_fluid::Tait;
 
     fn placed<const D: usize>(scene: &str) -> Placed<D> {
         let folder = tempfile::tempdir().unwrap();
@@ -143,6 +157,26 @@ mod tests {
             panic!("a fluid")
         };
         Placed::new(&FluidModel::from_case(&case).unwrap())
+    }
+
+    #[test]
+    fn a_block_that_turns_has_the_speed_and_the_pressure_of_its_spin() {
+        let turning: Placed<2> = placed(
+            "Fluid(domain: (low_m: (-1, -1), size_m: (2, 2)), \
+             fluid: (density_kg_m3: 900.0, viscosity_pa_s: 0.0, sound_speed_m_s: 50.0), \
+             bodies: [Block(low_m: (-0.5, -0.5), high_m: (0.5, 0.5), spin_rad_s: 3, velocity_m_s: (1, 0))], \
+             spacing_m: 0.02, time: (end_s: 1))",
+        );
+        let middle = turning.positions.iter().position(|x| x.norm() < 0.015).unwrap();
+        // Twice the torsion function of a square at its centre, 0.07367 L^2 (Timoshenko and Goodier 1970, article 109).
+        let pull = Tait::new(900.0, 50.0, 7.0).unwrap().pressure(turning.densities[middle]);
+        assert!((pull / (-2.0 * 0.07367 * 900.0 * 9.0) - 1.0).abs() < 5e-3, "{pull}");
+        let corner = turning.positions.iter().position(|x| x.x > 0.48 && x.y > 0.48).unwrap();
+        let (place, velocity) = (turning.positions[corner], turning.velocities[corner]);
+        assert!(
+            (velocity - SVector::from([1.0 - 3.0 * place.y, 3.0 * place.x])).norm() < 1e-12,
+            "{velocity}"
+        );
     }
 
     #[test]

@@ -26,6 +26,7 @@ pub const FLUIDS: &[Row] = &[
         &["domain.low_m", "3 dimensions"],
     ),
     ("size_m: (1.0, 0.6)", "size_m: (1.0)", "(1.0)", &["domain.size_m", "two numbers"]),
+    ("(0.3, 0.2)", "(0.3, 0.2), spin_rad_s: 1e9", "1e9", &["bodies.0.spin_rad_s", "rad/s"]),
     ("size_m: (1.0, 0.6)", "size_m: (1.01, 0.6)", "1.01", &["domain.size_m.0", "50.5 spacings", "1 or 1.02"]),
     (
         "high_m: (0.3, 0.2)",

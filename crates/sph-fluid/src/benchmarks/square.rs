@@ -38,14 +38,22 @@ pub struct Square {
     pub patch: FluidPatch<2>,
 }
 
-/// Pressure at a place about the centre at the start: the series with p = 0 along the sides, for nabla^2 p = 2 rho omega^2.
+/// Pressure over density and squared angular speed \[m^2\] at a place about the centre of a rectangle with the given sides \[m\] that
+/// starts to turn: the series with p = 0 along the sides, for nabla^2 p = 2 rho omega^2.
 #[must_use]
-pub fn pressure(position: &Vector2<f64>) -> f64 {
+pub fn pressure_of_spin(position: &Vector2<f64>, sides: &Vector2<f64>) -> f64 {
     let terms = (0..TERMS).map(|k| f64::from(2 * k + 1) * PI);
-    let along = |x: f64| terms.clone().map(move |wave| (wave, (wave * (x + 0.5)).sin() / wave));
-    let pairs =
-        along(position.x).flat_map(|(a, across)| along(position.y).map(move |(b, up)| (a, b, across * up)));
+    let along = |axis: usize| {
+        let (place, side) = (position[axis] / sides[axis] + 0.5, sides[axis]);
+        terms.clone().map(move |wave| (wave / side, (wave * place).sin() / wave))
+    };
+    let pairs = along(0).flat_map(|(a, across)| along(1).map(move |(b, up)| (a, b, across * up)));
     -32.0 * pairs.map(|(a, b, shape)| shape / (a * a + b * b)).sum::<f64>()
+}
+
+/// That of the square.
+fn pressure(position: &Vector2<f64>) -> f64 {
+    pressure_of_spin(position, &Vector2::repeat(1.0))
 }
 
 /// The square with `across` particles to the side until `end`, looked at four times in a unit of time.

@@ -9,8 +9,8 @@ use super::lattice::is_whole;
 use super::plausible::{
     ARTIFICIAL_VISCOSITY, DENSITY_DIFFUSION, DENSITY_PULL, DURATION, FLUID_LENGTH, FLUID_PLACE,
     FLUID_SMOOTHING, FLUID_SPACING, FLUID_TEMPERATURE, GRAVITY, LIQUID_DENSITY, LIQUID_EXPANSION,
-    LIQUID_SOUND, LIQUID_TENSION, LIQUID_TENSION_SLOPE, LIQUID_VISCOSITY, Range, SHIFTING, TEMPERATURE_SLOPE,
-    VELOCITY, number,
+    LIQUID_SOUND, LIQUID_TENSION, LIQUID_TENSION_SLOPE, LIQUID_VISCOSITY, Range, SHIFTING, SPIN,
+    TEMPERATURE_SLOPE, VELOCITY, number,
 };
 use super::{run, size};
 use crate::fluid::{expected, least_period, wall_rows};
@@ -123,6 +123,17 @@ fn check_values(findings: &mut Findings, scene: &FluidScene) {
     findings.within("scheme.shifting", scheme.shifting, &SHIFTING);
     if let Some(pull) = scheme.density_pull {
         findings.within("scheme.density_pull", pull, &DENSITY_PULL);
+    }
+    for (index, body) in scene.bodies.iter().enumerate() {
+        let (field, spin) = (format!("bodies.{index}.spin_rad_s"), body.spin_rad_s());
+        findings.within(&field, spin, &SPIN);
+        let reason = format!("{spin} rad/s in a scene in space");
+        findings.require(
+            spin == 0.0 || scene.dimension() == 2,
+            &field,
+            &reason,
+            "accepted: 0, or a scene in the plane",
+        );
     }
     let count = scene.bodies.len();
     let reason = format!("{count} bodies");

@@ -106,6 +106,8 @@ pub const LIQUID_EXPANSION: Range =
     Range { or_zero: true, ..range("1/K", 1e-6, 1.0, &[("1e-6/K", 1e-6, 0.0)]) };
 /// A component of a velocity.
 pub const VELOCITY: Range = range("m/s", -1e4, 1e4, &[]);
+/// Angular speed of a body of fluid.
+pub const SPIN: Range = range("rad/s", -1e6, 1e6, &[]);
 /// A component of the acceleration of gravity.
 pub const GRAVITY: Range = range("m/s2", -1e5, 1e5, &[]);
 /// Artificial speed of sound in a liquid.

@@ -197,7 +197,7 @@ fn check_rows(findings: &mut Findings, scene: &SolidScene, field: &str, thicknes
 fn filled(body: &Solid) -> Body {
     match body {
         Solid::Block { low_m, high_m, .. } => {
-            Body::Block { low_m: low_m.clone(), high_m: high_m.clone(), velocity_m_s: None }
+            Body::Block { low_m: low_m.clone(), high_m: high_m.clone(), velocity_m_s: None, spin_rad_s: 0.0 }
         }
         Solid::Ring { centre_m, outer_radius_m, .. } => {
             Body::Ball { centre_m: centre_m.clone(), radius_m: *outer_radius_m, velocity_m_s: None }
@@ -215,7 +215,12 @@ fn check_held(findings: &mut Findings, scene: &SolidScene) {
             continue;
         }
         check_speed(findings, scene, &format!("{field}.velocity_m_s"), hold.velocity_m_s.as_ref());
-        let all = Body::Block { low_m: hold.low_m.clone(), high_m: hold.high_m.clone(), velocity_m_s: None };
+        let all = Body::Block {
+            low_m: hold.low_m.clone(),
+            high_m: hold.high_m.clone(),
+            velocity_m_s: None,
+            spin_rad_s: 0.0,
+        };
         let holds = scene.bodies.iter().any(|body| overlap(&filled(body), &all, 0.0));
         findings.require(
             holds,
