@@ -54,7 +54,7 @@ const KNOWN: &[Known] = &[
         ],
     },
     Known { entry: "coupled/gallium", guards: &[Mark { resolution: 28.0, error: 0.11 }] },
-    Known { entry: "melt/cavity/field", guards: &[Mark { resolution: 36.0, error: 0.14 }] },
+    Known { entry: "melt/tank/pressure", guards: &[Mark { resolution: 30.0, error: 0.0105 }] },
     Known { entry: "melt/half-sphere-pool/field", guards: &[Mark { resolution: 8.0, error: 0.6 }] },
 ];
 
