@@ -1,19 +1,19 @@
 //! The stand-alone sweep of a weakly compressible fluid.
 
 mod buffers;
+mod controls;
+mod fields;
 mod near;
 mod powers;
 mod surface;
 mod warmth;
 
-use crate::error::{Error, require};
+use crate::error::Error;
 use crate::{
-    Fields, Friction, PressureForce, Renewal, SurfaceBand, SurfaceModel, SurfaceTension, Tait,
-    ThermalExpansion, Viscosity, acoustic_step, artificial_acceleration, artificial_heating, capillary_step,
-    conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion, density_rate,
-    equivalent_viscosity, face_force, force_step, friction_heating, leading_part, shift_beside_surface,
-    strain_acceleration, tearing_speed, viscous_acceleration, viscous_step, volume_pressure_acceleration,
-    wall_state, wall_velocity,
+    Fields, Friction, PressureForce, SurfaceBand, SurfaceModel, Viscosity, artificial_acceleration,
+    artificial_heating, conjugate_pressure_acceleration, corrected_density_rate, corrected_diffusion,
+    density_rate, face_force, friction_heating, leading_part, shift_beside_surface, strain_acceleration,
+    tearing_speed, viscous_acceleration, volume_pressure_acceleration, wall_state, wall_velocity,
 };
 use nalgebra::{SMatrix, SVector};
 use near::NearRows;
@@ -22,174 +22,14 @@ use sph_kernel::operators::{colour_gradient, gradient, moment, regularised_inver
 use sph_kernel::{Row, ScaledKernel};
 
 pub(crate) use buffers::Buffers;
+pub use controls::FluidControls;
+pub use fields::FluidFields;
+pub(crate) use fields::copy_images;
 pub use powers::Powers;
-
-/// Share of the acoustic step at rest below which a fluid is wild.
-const WILD: f64 = 1e-3;
 
 /// Share of the speed of tearing that shifting goes by: the kernel sees less than all of the shortest wave, and more than this
 /// shifts a Stokes flow under its own noise of pressure.
 const TEARING_SHARE: f64 = 0.5;
-
-/// Constants of the fluid and of the scheme.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FluidControls<const D: usize> {
-    /// Kernel of all particles.
-    pub kernel: ScaledKernel<D>,
-    /// Equation of state.
-    pub state: Tait,
-    /// Dynamic viscosity eta \[Pa s\]; where [`FluidFields::viscosities`] gives one of each particle, the largest of them, which
-    /// steps are taken by.
-    pub dynamic_viscosity: f64,
-    /// How viscosity acts between particles.
-    pub friction: Friction,
-    /// Artificial viscosity alpha \[-\]; 0 is none.
-    pub artificial_viscosity: f64,
-    /// Density diffusion delta \[-\]; 0.02 to 0.1, 0 is none.
-    pub density_diffusion: f64,
-    /// Acceleration of every particle, for example gravity \[m/s^2\].
-    pub body_acceleration: SVector<f64, D>,
-    /// Tension of a free surface; `None` where there is none, or where it does not matter. Its reference rules the steps also where
-    /// [`FluidFields::tensions`] gives the tension.
-    pub surface_tension: Option<SurfaceTension>,
-    /// How tension acts on the particles of a surface.
-    pub surface_model: SurfaceModel,
-    /// Exchange of the rows of a free surface; needed where a surface flows in a closed melt.
-    pub renewal: Option<Renewal>,
-    /// How warmth expands the fluid; `None` where it does not.
-    pub thermal_expansion: Option<ThermalExpansion>,
-    /// Whether the sweep finds the heat that friction makes.
-    pub viscous_heating: bool,
-    /// Whether continuity and pressure take corrected gradients, exact at the free surface, at the cost of a pass.
-    pub corrected_gradients: bool,
-    /// How pressure acts; by its slope where a weight far above the forces of the flow holds a melt between walls. A tension that
-    /// pulls has no form that balances the slope, and is refused with it.
-    pub pressure: PressureForce,
-}
-
-impl<const D: usize> FluidControls<D> {
-    /// A fluid with an equation of state and nothing else: no viscosity, diffusion, force or surface.
-    #[must_use]
-    pub fn new(kernel: ScaledKernel<D>, state: Tait) -> Self {
-        Self {
-            kernel,
-            state,
-            dynamic_viscosity: 0.0,
-            friction: Friction::default(),
-            artificial_viscosity: 0.0,
-            density_diffusion: 0.0,
-            body_acceleration: SVector::zeros(),
-            surface_tension: None,
-            surface_model: SurfaceModel::default(),
-            renewal: None,
-            thermal_expansion: None,
-            viscous_heating: false,
-            corrected_gradients: false,
-            pressure: PressureForce::default(),
-        }
-    }
-
-    /// The longest steps \[s\] of kick-drift-kick that sound, friction, tension and force allow, by name, for the fastest particle
-    /// \[m/s\] and the strongest acceleration \[m/s^2\].
-    #[must_use]
-    pub fn longest_steps(&self, fastest: f64, strongest: f64) -> [(&'static str, f64); 4] {
-        let (length, density) = (self.kernel.smoothing_length(), self.state.reference_density());
-        let tension = self.surface_tension.map_or(0.0, |tension| tension.reference());
-        // Kick-drift-kick is stable to twice the acoustic limit, and as accurate there.
-        let sound = 2.0 * acoustic_step(length, self.state.reference_sound_speed(), fastest);
-        [
-            ("sound", sound),
-            ("friction", viscous_step(length, self.dynamic_viscosity / density)),
-            ("tension", capillary_step(length, density, tension)),
-            ("force", force_step(length, strongest)),
-        ]
-    }
-
-    /// A fluid that asks for steps below this \[s\], a thousandth of what its sound allows at rest, has run wild.
-    #[must_use]
-    pub fn wild_step(&self) -> f64 {
-        WILD * acoustic_step(self.kernel.smoothing_length(), self.state.reference_sound_speed(), 0.0)
-    }
-
-    /// Viscosity of the fluid with that of the scheme \[m^2/s\].
-    fn kinematic_viscosity(&self) -> f64 {
-        let (length, sound) = (self.kernel.smoothing_length(), self.state.reference_sound_speed());
-        self.dynamic_viscosity / self.state.reference_density()
-            + equivalent_viscosity::<D>(length, sound, self.artificial_viscosity)
-    }
-
-    pub(crate) fn has_surface(&self) -> bool {
-        self.surface_tension.is_some() || self.renewal.is_some()
-    }
-
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        for (name, value) in [
-            ("dynamic_viscosity", self.dynamic_viscosity),
-            ("artificial_viscosity", self.artificial_viscosity),
-            ("density_diffusion", self.density_diffusion),
-        ] {
-            require(value >= 0.0, name, value, "zero or above")?;
-        }
-        let pulled = self.surface_tension.is_some_and(|tension| tension.pulls());
-        let balanced = self.pressure == PressureForce::Pairs || !pulled;
-        require(balanced, "surface_tension", 1.0, "none that pulls where pressure acts by its slope")?;
-        self.body_acceleration
-            .iter()
-            .try_for_each(|&value| require(true, "body_acceleration", value, "finite"))
-    }
-}
-
-/// What the caller owns and the sweep reads. Order of all columns: fluid, copies of fluid, walls.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct FluidFields<'a, const D: usize> {
-    /// Positions at the end of the drift \[m\].
-    pub positions: &'a [SVector<f64, D>],
-    /// Velocities of the drift that led there \[m/s\]; walls and copies included.
-    pub velocities: &'a [SVector<f64, D>],
-    /// Masses \[kg; kg/m in 2-D\].
-    pub masses: &'a [f64],
-    /// Temperatures \[K\] of all particles; read only where tension or density change with temperature, and may be empty
-    /// without.
-    pub temperatures: &'a [f64],
-    /// Dynamic viscosity eta \[Pa s\] of all particles, of a wall that of the fluid at its temperature; empty where that of the
-    /// controls holds everywhere.
-    pub viscosities: &'a [f64],
-    /// Surface tension tau \[N/m\] at the temperatures of all particles; empty where the controls' law gives it.
-    pub tensions: &'a [f64],
-    /// Pressures of walls that have their own \[Pa\], of walls alone; empty where walls carry the pressure of the fluid.
-    pub wall_pressures: &'a [f64],
-    /// For each copy (image across a period or in a mirror plane) the fluid particle that it shows.
-    pub copies: &'a [u32],
-    /// For each copy the sign by which each component of a vector continues: -1 on mirrored axes. Empty where no copy is a
-    /// mirror image.
-    pub mirrors: &'a [[f64; D]],
-    /// Where each particle's row starts in `list_neighbors`; one entry more than particles.
-    pub list_starts: &'a [usize],
-    /// A list with ascending rows; entries outside the support do no harm. Rows of fluid are full, those of walls hold fluid and copies at
-    /// least, those of copies are not read.
-    pub list_neighbors: &'a [u32],
-}
-
-impl<'a, const D: usize> FluidFields<'a, D> {
-    /// The list of a particle.
-    #[inline]
-    pub(crate) fn neighbors(&self, i: usize) -> &'a [u32] {
-        &self.list_neighbors[self.list_starts[i]..self.list_starts[i + 1]]
-    }
-
-    /// Viscosity of the particles; `even` \[Pa s\] where none has one of its own.
-    pub(crate) fn viscosity(&self, even: f64) -> Viscosity<'a> {
-        if self.viscosities.is_empty() { Viscosity::Even(even) } else { Viscosity::Each(self.viscosities) }
-    }
-
-    /// Gives each copy, stored behind the fluid, the vector of the particle that it shows, mirrored where the copy is.
-    pub(crate) fn copy_vectors(&self, column: &mut [SVector<f64, D>], fluid: usize) {
-        copy_images(column, fluid, self.copies);
-        for (vector, mirror) in column[fluid..].iter_mut().zip(self.mirrors) {
-            vector.component_mul_assign(&SVector::from(*mirror));
-        }
-    }
-}
 
 /// A weakly compressible fluid between walls: density by continuity, pressure by Tait's law, Morris viscosity,
 /// Antuono's density diffusion, walls that carry the fluid's pressure and mirror its speed.
@@ -675,13 +515,6 @@ fn heat_of_friction<const D: usize>(
 /// The column at the reference temperature, where there is one.
 fn even_or<'a>(even: &'a [f64], column: &'a [f64]) -> &'a [f64] {
     if even.is_empty() { column } else { even }
-}
-
-/// Gives each copy, stored behind the fluid, the value of the particle that it shows.
-pub(crate) fn copy_images<T: Copy>(column: &mut [T], fluid: usize, copies: &[u32]) {
-    for (k, &source) in copies.iter().enumerate() {
-        column[fluid + k] = column[source as usize];
-    }
 }
 
 #[cfg(test)]

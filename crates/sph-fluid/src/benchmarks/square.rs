@@ -22,8 +22,6 @@ const LOOKS: f64 = 4.0;
 /// What was measured of the square at equal times.
 #[derive(Debug)]
 pub struct Square {
-    /// Least distance of two particles over the spacing.
-    pub nearest: f64,
     /// Radius of the largest void over the spacing ([`largest_void`]).
     pub void: f64,
     /// Largest colour of a particle: one without clumps, two where particles lie in pairs.
@@ -74,16 +72,14 @@ pub fn rotating_square(
     let velocities: Vec<_> = patch.positions().iter().map(|place| Vector2::new(-place.y, place.x)).collect();
     patch.velocities_mut().copy_from_slice(&velocities);
     let (energy, spin, corner) = (energy(&patch), spin(&patch), farthest(&patch));
-    let (mut nearest, mut void, mut crowding) = (f64::INFINITY, 0.0, 0.0);
+    let (mut void, mut crowding) = (0.0, 0.0);
     let looks = (LOOKS * end).ceil() as usize;
     for look in 1..=looks {
         patch.run_to(end * look as f64 / looks as f64, scheme.acoustic_step(0.5, spacing));
-        nearest = f64::min(nearest, least_distance(&patch, find) / spacing);
         void = largest([void, largest_void(&patch)].into_iter());
         crowding = largest(patch.colours().into_iter().chain([crowding]));
     }
     Ok(Square {
-        nearest,
         void,
         crowding,
         energy_lost: 1.0 - self::energy(&patch) / energy,
@@ -104,16 +100,6 @@ fn spin(patch: &FluidPatch<2>) -> f64 {
 
 fn farthest(patch: &FluidPatch<2>) -> f64 {
     largest(patch.positions().iter().map(|place| place.norm()))
-}
-
-fn least_distance(patch: &FluidPatch<2>, find: FindNeighbors<2>) -> f64 {
-    let positions = patch.positions();
-    let (starts, neighbors) = find(positions, patch.spacing());
-    let rows = positions.iter().zip(starts.windows(2));
-    let distances = rows.flat_map(|(place, row)| {
-        neighbors[row[0]..row[1]].iter().map(move |&other| (positions[other as usize] - place).norm())
-    });
-    distances.fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

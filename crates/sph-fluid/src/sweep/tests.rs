@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::test_block::Block;
+use crate::{SurfaceTension, Tait, ThermalExpansion};
 
 /// A list of all pairs among so many particles.
 fn all_pairs(particles: usize) -> (Vec<usize>, Vec<u32>) {

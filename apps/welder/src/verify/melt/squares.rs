@@ -11,7 +11,7 @@ const END: f64 = 4.0;
 pub(in super::super) const ROTATING: Benchmark = Benchmark {
     name: "melt/rotating-square",
     tested_crate: "sph-fluid",
-    reference: "a square that turns (Colagrossi 2005), without viscosity, until omega t = 4: no clumps, no voids, energy and angular \
+    reference: "a square that turns (Colagrossi 2005), without viscosity, until omega t = 4: no clumps, no void of more than a particle, energy and angular \
                 momentum kept, corners in free flight",
     quantities: &[
         Quantity {
